@@ -15,7 +15,7 @@ namespace {
 
 using data::BadInput;
 
-/// L/B.
+/// Limits of L/B.
 constexpr double shortest_slip = 1e-8, longest_slip = 10;
 
 NipTask slip_task(const data::PartialSlipNip& nip, int digits) {
@@ -40,10 +40,10 @@ struct PartialSlipNip::Parts {
   SheetKernels kernels;
   SlipProblem problem;
   SolvedSlip solved = {};
-  Float size = 0, pressed = 0, steep = 0;  ///< length, load, and what strains and slopes are measured by
+  Float size = 0, pressed = 0, steep = 0;  ///< length, load, and the scale of strains and slopes
   Float difference = 0;
 
-  /// The problem but for the length or load: of Y, q and T change their signs.
+  /// Sets the problem up without its length or load. It counts q and T along +e, so that their signs change.
   Parts(const data::PartialSlipNip& nip, int the_digits)
       : units(nip.roller_radius, nip.sheet_thickness,
               normal_compliance(Exact(nip.material.young), Exact(nip.material.poisson))),
@@ -61,7 +61,7 @@ struct PartialSlipNip::Parts {
     return std::get<data::GivenTraction>(nip.drive).force_per_length;
   }
 
-  /// `guess`: at the length.
+  /// Solves the contact; `guess` is a guess of its length.
   void solve(const data::PartialSlipNip& nip, double guess) {
     problem.unit = guess;
     const bool is_load_given = !problem.length;
@@ -82,7 +82,7 @@ struct PartialSlipNip::Parts {
                      "must be smaller in size than friction_coefficient times load");
   }
 
-  /// Of the contact so long; 0 where it is not found.
+  /// The load of a contact of this length in full sliding, 0 if it is not found.
   [[nodiscard]] Float load_of_sliding() {
     const int sign = problem.shear < 0 ? -1 : 1;
     SlipProblem sliding = problem;
@@ -108,8 +108,8 @@ struct PartialSlipNip::Parts {
 
   [[nodiscard]] const SlipField& fine() const { return *solved.fine; }
 
-  /// What both solutions have in common is as wrong as the largest of their differences; the finer is surer than their
-  /// difference, and zones left out count for a hundredth of the last digit.
+  /// The error is twice the difference of both solutions, plus `scale` times their largest relative difference and, for
+  /// zones left out, times a hundredth of the last digit.
   [[nodiscard]] Estimate number(const mpq_class& unit, const Float& scale,
                                 const Functional& functional) const {
     const WorkingDigits working(working_digits_of_slip(digits));
@@ -148,8 +148,8 @@ struct PartialSlipNip::Parts {
     return pressure([of](const SlipField& field) { return field.largest(of).size; });
   }
 
-  /// Both solutions' places of the same local maximum are compared. Another one that is as large, within the errors of both, may
-  /// be the largest.
+  /// The places of the same local maximum in both solutions are compared. The error reaches to every other maximum that
+  /// is as large within the errors, since it may be the largest.
   [[nodiscard]] Estimate peak_position(std::size_t of) const {
     const Estimate highest = peak(of);
     const WorkingDigits working(working_digits_of_slip(digits));

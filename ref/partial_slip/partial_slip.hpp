@@ -7,14 +7,14 @@
 
 namespace nipref::ref {
 
-/// Steady rolling of an elastic sheet between two rigid cylinders with Coulomb friction: where the sheet sticks to the rollers
-/// its surface strains by the creep ratio xi; where it slips the shear is the coefficient of friction times the pressure, against
-/// the slip. ref/partial_slip/README.md has the equations. It goes beyond the thesis, whose Cases A and B are the limits.
+/// Steady rolling of an elastic sheet between two rigid cylinders with Coulomb friction. Where the sheet sticks to the
+/// rollers, the strain of its surface is the creep ratio xi. Where it slips, the shear is the friction coefficient
+/// times the pressure, against the slip: ref/partial_slip/README.md. The thesis's Cases A and B are the limits.
 ///
-/// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading (entry) side, unit of
-/// length; finite, for strains and displacements within 450 sheet thicknesses of the contact; otherwise BadInput. Shear acts on
-/// the sheet along +Y. All errors are estimated: from 10^-digits of the largest value of the result's kind to
-/// a thousand times as much in contacts of several half-thicknesses.
+/// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading (entry) side,
+/// unit of length. It must be finite, for strains and displacements within 450 thicknesses of the contact; else
+/// BadInput. Shear acts on the sheet along +Y. All errors are estimates: from 10^-digits of the largest value of the
+/// result's kind to a thousand times as much in contacts of several half-thicknesses.
 ///
 /// One object must not be used by two threads at once.
 class PartialSlipNip {
@@ -38,16 +38,16 @@ class PartialSlipNip {
   [[nodiscard]] Estimate peak_shear() const;              ///< largest |q|, unit of stress
   [[nodiscard]] Estimate peak_shear_position() const;     ///< its Y
   [[nodiscard]] Estimate pressure(double y) const;        ///< unit of stress; 0 outside the contact
-  [[nodiscard]] Estimate shear(double y) const;           ///< the same
+  [[nodiscard]] Estimate shear(double y) const;           ///< unit of stress; 0 outside the contact
   [[nodiscard]] Estimate surface_strain(double y) const;  ///< v', dimensionless
   [[nodiscard]] Estimate slip(
-      double y) const;  ///< v' - xi: the sheet's velocity along -Y from the roller's, over the speed
+      double y) const;  ///< v' - xi: the sheet's velocity along -Y relative to the roller's, over the speed
   [[nodiscard]] Estimate normal_displacement(double y) const;      ///< u, towards the middle plane
   [[nodiscard]] Estimate tangential_displacement(double y) const;  ///< v, relative to Y = 0
-  /// Y of the zones' boundaries from the leading to the trailing end of the contact, both included. Zones shorter than
-  /// 10^-digits of it are left out.
+  /// Y of the zones' boundaries from the leading to the trailing end, both included. Zones shorter than 10^-digits of
+  /// the contact are left out.
   [[nodiscard]] std::vector<Estimate> zone_boundaries() const;
-  /// Of each zone the sign of its shear where it slips, 0 where it sticks.
+  /// For each zone the sign of its shear if it slips, 0 if it sticks.
   [[nodiscard]] std::vector<int> zone_signs() const;
   [[nodiscard]] int unknowns() const;  ///< of the finer solution
 
@@ -58,9 +58,9 @@ class PartialSlipNip {
   std::unique_ptr<const Parts> parts_;
 };
 
-/// The contact of a given length: > 0, L <= R and 1e-8 <= L/B <= 10; digits: 16 to 30; the friction coefficient is > 0 and finite,
-/// a traction that is given smaller than this times the load. BadInput otherwise, and where the zones are not
-/// found, as of many contacts with friction coefficients above 5, or that stick nearly everywhere.
+/// The contact of a given length: > 0, L <= R and 1e-8 <= L/B <= 10; digits: 16 to 30. The friction coefficient must be
+/// > 0 and finite, a given traction smaller in size than it times the load. BadInput otherwise, and if the zones are
+/// not found, as for many contacts with friction coefficients above 5 or with stick nearly everywhere.
 PartialSlipNip partial_slip_for_length(const data::PartialSlipNip& nip, double contact_length, int digits);
 /// The contact that carries `load` per unit width, > 0 and finite, with a length as above; BadInput otherwise.
 PartialSlipNip partial_slip_for_load(const data::PartialSlipNip& nip, double load, int digits);

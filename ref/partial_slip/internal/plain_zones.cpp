@@ -12,14 +12,14 @@ namespace {
 
 constexpr int elements = 120;
 
-/// The tractions of elements of one length, whose equations hold at their edges. An element has the sign of its slip, 0 where it
-/// sticks.
+/// A contact of equal elements, whose tractions act at their middles and whose equations hold at their edges. The sign
+/// of an element is that of its shear if it slips, 0 if it sticks.
 class PlainContact {
  public:
   PlainContact(const SlipProblem& problem, SheetKernels& kernels, double length)
       : problem_(problem), element_(length / elements), most_creep_(8 * (1 + problem.friction) * length) {
     for (int way = 0; way <= elements; ++way) {
-      // U, V and S from the middle of an element to an edge beside it, or so many elements away.
+      // U, V and S from the middle of an element to an edge, way + 1/2 elements away.
       const Float alpha = (way + 0.5) * element_, normal = kernels.smooth_normal_slope(alpha) - 1 / alpha;
       const double over_pi = element_ / std::numbers::pi, u = over_pi * static_cast<double>(normal),
                    v = over_pi * static_cast<double>(kernels.coupling_slope(alpha)),
@@ -38,7 +38,7 @@ class PlainContact {
     normal_.col(leading).setConstant(-2);
   }
 
-  /// Changes signs until none violates its condition, or none of them helps.
+  /// Changes signs until no element violates its condition, or no change helps.
   void settle() {
     if (problem_.creep)
       slides_to(static_cast<double>(*problem_.creep));
@@ -46,9 +46,9 @@ class PlainContact {
       meet_traction();
   }
   [[nodiscard]] int sign(int element) const { return signs_[element]; }
-  /// About the length that sticks around an element between opposite slips. With q = -mu p in front of it, mu p behind it and a slip
-  /// that grows by s' without it, (1/pi) int q'/(e' - e) de' = s' where it sticks, and q' is bounded where that begins: so
-  /// q' = 2 mu p/pi (x/(l - x))^(1/2)/l at the distance 0 < x < l from there, with l = 4 mu p/(pi s').
+  /// About the length l that sticks around an element between opposite slips. q is -mu p ahead of it and mu p behind
+  /// it; without it the slip would have the slope s'. In it (1/pi) int q'/(e' - e) de' = s', with q' bounded where it
+  /// begins: q' = s' (x/(l - x))^(1/2) at the distance 0 < x < l from there. So l = 4 mu p/(pi s'), as int q' = 2 mu p.
   [[nodiscard]] double sticking(int element) const {
     const int from = std::max(element - 1, 0), to = std::min(element + 2, elements);
     const double slope = (slip_(to) - slip_(from)) / ((to - from) * element_);
@@ -58,7 +58,7 @@ class PlainContact {
  private:
   static constexpr int leading = 2 * elements, unknowns = 2 * elements + 1;
 
-  /// From these signs at this creep.
+  /// Changes signs at the present creep until none changes; false if that does not end.
   bool settles() {
     constexpr int most_changes = 20;
     for (int change = 0; change < most_changes; ++change) {
@@ -68,7 +68,7 @@ class PlainContact {
     return false;
   }
 
-  /// At that creep or, where signs change without end, at one that is nearer to this one.
+  /// Settles at `creep` or, if signs change there without end, at a creep nearer to the present one.
   bool settles_towards(double creep) {
     constexpr int most_halvings = 6;
     const Row<int> signs = signs_;
@@ -81,7 +81,7 @@ class PlainContact {
     return false;
   }
 
-  /// From so much creep that all elements slip one way.
+  /// Settles at `creep`, in steps from so much creep that all elements slip one way.
   bool slides_to(double creep) {
     constexpr int most_steps = 20;
     for (const int sliding : {-1, 1}) {
@@ -93,8 +93,9 @@ class PlainContact {
     return false;
   }
 
-  /// The traction grows with creep, and linearly while the signs stay: Newton's method in a bracket. Of a load that is not met the
-  /// traction is to be the same share. Where no creep has it the nearest is taken.
+  /// Finds the creep with the wanted traction, by Newton's method in a bracket: the traction rises with the creep,
+  /// linearly as long as no sign changes. If the load is given, the wanted traction is the same share of the load that
+  /// is found here. If no creep has this traction, the nearest is taken.
   void meet_traction() {
     constexpr int most_steps = 40;
     constexpr double tolerance = 1e-10;
@@ -121,7 +122,7 @@ class PlainContact {
     solve();
   }
 
-  /// With these signs and this creep, and the slopes of the tractions by it.
+  /// Solves for the tractions with the present signs and creep, and for their derivatives by the creep.
   void solve() {
     Eigen::MatrixXd matrix(unknowns, unknowns), right = Eigen::MatrixXd::Zero(unknowns, 2);
     matrix << normal_, tangential_.topRows(elements);
@@ -142,8 +143,8 @@ class PlainContact {
     slip_ = (tangential_ * solution.col(0)).array() - creep_;
   }
 
-  /// Changes the signs that violate their conditions; false and no change where that is the last one alone. This slips whatever
-  /// happens: what sticks up to the trailing end is a difference of large numbers.
+  /// Changes the signs that violate their conditions. If only the last element does, returns false without a change:
+  /// the last element always slips, since stick up to the trailing end is a difference of large numbers.
   bool change_signs() {
     constexpr int last = elements - 1;
     const Row<int> before = signs_;
@@ -161,13 +162,13 @@ class PlainContact {
 
   const SlipProblem& problem_;
   double element_, most_creep_, creep_ = 0;
-  /// Both equations at the edges of elements, by their tractions and L1.
+  /// Both equations at the edges of elements, as rows for the tractions and L1.
   Eigen::MatrixXd normal_ = Eigen::MatrixXd::Zero(elements + 1, unknowns), tangential_ = normal_;
   Row<int> signs_ = Row<int>(GridIndex{elements});
-  Eigen::VectorXd pressure_, shear_, slip_, slope_pressure_, slope_shear_;  ///< slopes: by creep
+  Eigen::VectorXd pressure_, shear_, slip_, slope_pressure_, slope_shear_;  ///< slopes are by creep
 };
 
-/// Where opposite slips are next to each other, or one element apart, it sticks for the length of that element in `sticking`.
+/// Opposite slips that are adjacent or one element apart get between them a stick zone of the length in `sticking`.
 void stick_between_slips(Row<SlipZone>& zones, const Row<double>& sticking, double element) {
   Float left = 0;
   for (GridIndex k = 1; k + 1 < zones.count(); ++k) {
@@ -192,7 +193,7 @@ Row<SlipZone> plain_zones(const SlipProblem& problem, SheetKernels& kernels, dou
   Row<SlipZone> zones;
   Row<double> sticking(GridIndex{elements});
   for (int i = 0; i < elements; ++i) {
-    // The last one's sign tells nothing behind another slip.
+    // The last element takes the sign of the one before, as its own means nothing behind another slip.
     const int sign = contact.sign(std::min(i, elements - 2));
     const bool turns = !zones.empty() && zones.back().sign * sign < 0;
     if (turns) zones.push_back({0, 0});

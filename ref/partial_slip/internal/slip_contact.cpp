@@ -11,7 +11,7 @@ namespace {
 
 using ComplexRow = Eigen::RowVectorXcd;
 
-/// x - y, each 0 where there is none, in double: precise also where they are nearly equal.
+/// x - y in double, precise even if they are nearly equal. A null row counts as 0.
 ComplexRow difference(const Row<ComplexFloat>* x, const Row<ComplexFloat>* y, GridIndex count) {
   const ComplexFloat zero;
   ComplexRow result(count);
@@ -95,7 +95,7 @@ void SlipContact::count_equations() {
   }
 }
 
-/// Where slip is followed by stick, the coefficient of the root that would slip the wrong way beyond the boundary is 0.
+/// If slip is followed by stick, the coefficient of the power that slips the wrong way beyond the boundary is 0.
 void SlipContact::add_conditions() {
   const OfBoth<Vector> none{Vector(panels_.values()), Vector(panels_.values())};
   for (GridIndex i = 1; i < panels_.count(); ++i) {
@@ -145,7 +145,7 @@ Vector SlipContact::unknowns_of(const SlipField& other) const {
       put(nodes + 1, of, at_right[of]);
     }
     for (GridIndex i = 0; i < nodes; ++i) {
-      // Next to an end, where the other grid is not precise, what is left is like the root of the distance.
+      // Near an end the other grid is not precise: there the remainder is taken as the root of the distance.
       const Float &left = grid_->from_left()[i], &right = grid_->from_right()[i],
                   &distance = std::min(left, right), known = std::max(distance, nearest),
                   part = sqrt(distance / known);
@@ -223,7 +223,7 @@ Eigen::MatrixXd SlipContact::slopes() const {
       if (column >= 0) matrix(number, column) += factor * slopes(i);
     }
   };
-  // Those of an equation serve the next ones as well.
+  // The rows of an equation are kept for the next ones.
   std::deque<std::pair<PointIndex, Row<ComplexFloat>>> rows;
   const auto row_at = [&](const PointIndex& index) -> const Row<ComplexFloat>* {
     const auto found = std::ranges::find(rows, index, [](const auto& known) { return known.first; });
@@ -235,12 +235,12 @@ Eigen::MatrixXd SlipContact::slopes() const {
     const Row<ComplexFloat>*here = row_at(at), *there = less ? row_at(*less) : nullptr;
     const auto in_double = static_cast<double>(scale);
     const ComplexRow direct = in_double * difference(here, there, here->count());
-    // What the shear's equation adds is turned.
+    // The tangential equation enters with the factor i.
     const ComplexRow turned = std::complex<double>(0, in_double) *
                               difference(sticks(at.panel) ? here : nullptr,
                                          less && sticks(less->panel) ? there : nullptr, here->count());
     OfBoth<ComplexRow> slopes{direct.head(panels_.values()), turned.head(panels_.values())};
-    // Across a joint the rest goes on.
+    // Across a joint the other terms are continuous, and their difference is 0.
     if (!less || less->panel == at.panel) {
       const auto smooth = [&](const ComplexRow& row) { return row.segment(panels_.values(), normal.rows()); };
       const GridIndex ends = panels_[at.panel].first + grid_->nodes();

@@ -8,25 +8,24 @@ namespace nipref::ref {
 
 class SlipField;
 
-/// The equations of a contact whose zones are known but for their lengths: ref/partial_slip/README.md, The equations. Unknowns
-/// are, for each panel, the values of p and, where it sticks, of q at the nodes; p at the joints of panels, and q where both
-/// sides stick; L1; and xi where it is not given.
+/// The equations of a contact for given zones: ref/partial_slip/README.md, The equations. The unknowns are p at the
+/// nodes of all panels, and q in those that stick; p at the joints of panels, and q where both panels stick; L1; and xi
+/// if it is not given. There are more equations than unknowns, one for each zone's length.
 class SlipContact {
  public:
-  /// zones are not empty, and next to one that slips is one of another sign.
+  /// There is at least one zone, and the neighbours of a zone that slips have other signs.
   SlipContact(std::shared_ptr<const ZoneGrid> grid, SheetKernels& kernels, const Row<SlipZone>& zones);
 
-  /// Those that make the tractions, L1 and creep of another contact.
+  /// The unknowns for the tractions, L1 and creep of another contact.
   [[nodiscard]] Vector unknowns_of(const SlipField& other) const;
   void set(const Vector& unknowns);
-  /// How large unknowns are: next to a panel's end as the root of the distance.
+  /// The scales of the unknowns. Near a panel's end they are like the root of the distance.
   [[nodiscard]] const Row<Float>& sizes() const { return sizes_; }
-  /// The left sides, whose right sides are 0; and what they change by with the unknowns over their sizes, each entry precise in
-  /// double.
+  /// The left sides of the equations, which should be 0; and, precise to double, their slopes by unknowns over sizes.
   [[nodiscard]] Vector residual() const;
   [[nodiscard]] Eigen::MatrixXd slopes() const;
 
-  // In half-thicknesses, tractions as they are.
+  // Lengths are in half-thicknesses, tractions not divided by their sizes.
   [[nodiscard]] const SlipProblem& problem() const { return grid_->problem(); }
   [[nodiscard]] const ZoneGrid& grid() const { return *grid_; }
   [[nodiscard]] const Row<SlipZone>& zones() const { return zones_; }
@@ -34,34 +33,34 @@ class SlipContact {
   [[nodiscard]] const SmoothSums& smooth() const { return smooth_; }
   [[nodiscard]] const Float& leading() const { return leading_; }
   [[nodiscard]] const Float& creep() const { return creep_; }
-  /// The integrals of both equations, and what the linear interpolations add at the point; tangential ones only where they are
-  /// wanted. In the contact the remainders there add the rest.
+  /// The integrals of both equations at a point, with the local terms of the linear interpolations; the tangential ones
+  /// only if wanted. The local terms of the remainders are not included.
   [[nodiscard]] PointSums sums(const ContactPoint& point, bool with_tangential) const;
   [[nodiscard]] const OfBoth<Vector>& values() const { return values_; }
   /// int p de or int q de.
   [[nodiscard]] Float integral(std::size_t of) const { return weights_.cwiseProduct(values_[of]).sum(); }
 
  private:
-  /// Which unknown a value is, times a factor; none where it is 0.
+  /// A value as an unknown, given by its column, times a factor. Without a column the value is 0.
   struct Source {
     GridIndex column = -1;
     double factor = 1;
   };
-  /// One of the points where equations are asked.
+  /// One of the collocation points.
   struct PointIndex {
     GridIndex panel, point;
     bool operator==(const PointIndex&) const = default;
   };
-  /// A row of the system is the real (0) or imaginary (1) part of the left side at a point, times a scale. Next to a panel's end
-  /// it is the difference from the neighbouring point over the root of the distance, so that rounding to double does not hide
-  /// what the values there add, which are as small.
+  /// A row of the system is the real (0) or imaginary (1) part of the left side at a point, times a scale. Near a
+  /// panel's end it is the difference from the neighbouring point over the root of the distance. So rounding to double
+  /// does not hide the effect of the values there, which are as small as the root.
   struct Equation {
     PointIndex at;
     std::optional<PointIndex> less;
     GridIndex part;
     Float scale;
   };
-  /// The rows after these: a sum of factors times the values is to be `wanted`.
+  /// A row after the equations: the sum of factors times the values must be `wanted`.
   struct Condition {
     OfBoth<Vector> factors;
     Float wanted;
@@ -72,9 +71,9 @@ class SlipContact {
   void add_conditions();
   [[nodiscard]] bool sticks(GridIndex panel) const { return panels_[panel].sign == 0; }
   [[nodiscard]] ContactPoint point(const PointIndex& index) const;
-  /// Complex where the contact sticks.
+  /// The left side at a point, complex if the contact sticks there.
   [[nodiscard]] ComplexFloat left_side(const ContactPoint& point) const;
-  /// What it is made of: Cauchy's integrals by all values, Lagrange's polynomials, and the linear ones of the panel's ends.
+  /// The factors in left_side(): of all values in Cauchy's integrals, then Lagrange's polynomials, and the linear ones.
   [[nodiscard]] Row<ComplexFloat> point_row(const PointIndex& index) const;
 
   std::shared_ptr<const ZoneGrid> grid_;
@@ -87,7 +86,7 @@ class SlipContact {
   Row<Condition> conditions_;
   Row<Float> sizes_;
   OfBoth<Vector> values_;
-  mutable Row<ComplexFloat> cauchy_;  ///< of the last point, as to make it takes time
+  mutable Row<ComplexFloat> cauchy_;  ///< kept, as its allocation takes time
   Float leading_ = 0, creep_ = 0;
   GridIndex leading_column_ = 0, creep_column_ = -1;
 };

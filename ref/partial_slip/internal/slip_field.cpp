@@ -8,7 +8,7 @@
 namespace nipref::ref {
 namespace {
 
-/// The remainder's factor: cot(pi c), what the trapezoidal rule lacks of the principal value.
+/// The trapezoidal rule for a principal value lacks cot(pi c) times the remainder.
 Float cotangent(const Float& place) { return 1 / tan(Float(pi() * place)); }
 
 }  // namespace
@@ -103,7 +103,7 @@ Float SlipField::strain(const Float& e) const {
   return sum;
 }
 
-/// The rule's, and in the panel where e is that of both parts, as potentials are logarithmic there.
+/// The loads at the rule's nodes. The panel with e has the nodes of both its sides of e, as potentials are logarithmic.
 void SlipField::for_loads(const Float& e, const UseLoad& use) const {
   const ZoneGrid& grid = contact_->grid();
   const ZonePanels& panels = contact_->panels();
@@ -142,7 +142,7 @@ NormalAndTangential<Float> SlipField::displacement(const Float& e) const {
   return sum;
 }
 
-/// In the contact it is the roller's.
+/// In the contact the surface follows the roller.
 Float SlipField::normal_displacement(const Float& e) const {
   const Float y = leading() - e;
   return contains(e) ? Float(indentation() - y * y) : displacement(e).normal;
@@ -175,9 +175,9 @@ Float SlipField::dissipation() const {
 Row<SlipField::Hump> SlipField::humps(std::size_t of) const {
   const auto size = [of](const OfBoth<Float>& tractions) -> Float { return abs(tractions[of]); };
   const auto by_size = [&](const Sample& sample) { return size(sample.tractions); };
-  // What is nearer to a joint is not told from it.
+  // A maximum that is nearer to a joint cannot be told from the joint.
   const Float nearest = exp(Float(-contact_->grid().nats())) * length();
-  // Of the number of steps, to e^-nats.
+  // Bits for a place in steps to e^-nats.
   const int bits = static_cast<int>(contact_->grid().nats() / std::numbers::ln2) + 10;
   Row<Hump> humps;
   for (GridIndex i = 1; i + 1 < samples_.count(); ++i) {
@@ -193,7 +193,7 @@ Row<SlipField::Hump> SlipField::humps(std::size_t of) const {
         before.step, after.step, bits);
     humps.push_back({-negative, contact_->panels().place({here.panel, contact_->grid().at(step)}).re});
   }
-  // Where panels meet.
+  // The values where panels meet.
   for (const ZonePanel& panel : contact_->panels())
     humps.push_back({abs(contact_->values()[of](panel.first + contact_->grid().nodes())), panel.left});
   return humps;

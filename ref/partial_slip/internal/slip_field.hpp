@@ -7,12 +7,12 @@
 
 namespace nipref::ref {
 
-/// What a solved contact gives at any place: ref/partial_slip/README.md, Between the nodes.
+/// The results of a solved contact at any place: ref/partial_slip/README.md, Between the nodes.
 class SlipField {
  public:
   explicit SlipField(std::unique_ptr<const SlipContact> contact);
 
-  /// Twice as many places as nodes, by rising e, where tractions and slip are known best.
+  /// One of the places where tractions and slip are known best: about twice as many as nodes, by rising e.
   struct Sample {
     GridIndex panel;
     int sign;
@@ -31,7 +31,7 @@ class SlipField {
   [[nodiscard]] Float length() const { return contact_->panels().length(); }
   [[nodiscard]] Float leading() const { return contact_->leading(); }
   [[nodiscard]] Float trailing() const { return length() - leading(); }
-  [[nodiscard]] Float boundary(GridIndex zone) const;  ///< e where it begins
+  [[nodiscard]] Float boundary(GridIndex zone) const;  ///< e at which the zone begins
   [[nodiscard]] Float load() const { return contact_->integral(pressure_part); }
   [[nodiscard]] Float traction() const { return contact_->integral(shear_part); }
   [[nodiscard]] Float creep() const { return contact_->creep(); }
@@ -40,11 +40,11 @@ class SlipField {
   [[nodiscard]] Float indentation() const { return leading_displacement() + leading() * leading(); }
   [[nodiscard]] Float rolling_resistance() const;  ///< 2/load int p (L1 - e) de
   [[nodiscard]] Float dissipation() const;         ///< -int q (dv/de - xi) de
-  /// Also where panels meet.
+  /// All local maxima, and the values where panels meet.
   [[nodiscard]] Row<Hump> humps(std::size_t of) const;
   [[nodiscard]] Hump largest(std::size_t of) const;
 
-  // Also outside.
+  // Inside and outside the contact.
   [[nodiscard]] OfBoth<Float> tractions(const Float& e) const;
   [[nodiscard]] Float pressure(const Float& e) const { return tractions(e)[pressure_part]; }
   [[nodiscard]] Float shear(const Float& e) const { return tractions(e)[shear_part]; }
@@ -60,9 +60,9 @@ class SlipField {
     GridIndex panel;
     Float step;
   };
-  /// Of a panel, what tractions have besides their linear interpolation.
+  /// The remainders of a panel's tractions beyond their linear interpolation.
   struct Remainders {
-    Float first;  ///< the place of the first, in steps; the others follow by halves
+    Float first;  ///< place of the first value, in steps; the others follow in half steps
     OfBoth<Row<Float>> values;
   };
 
@@ -73,10 +73,10 @@ class SlipField {
   [[nodiscard]] OfBoth<Float> tractions(const ContactPoint& point, const OfBoth<Float>& remainders) const;
   [[nodiscard]] Float strain_at(const Place& place, const PointSums& sums,
                                 const OfBoth<Float>& remainders) const;
-  /// Line loads, whose potentials at e have the integrals of p's and q's.
+  /// Uses line loads: sums over them are integrals of p and q times kernels that are singular at e.
   using UseLoad = std::function<void(const Float& from, const Float& pressed, const Float& sheared)>;
   void for_loads(const Float& e, const UseLoad& use) const;
-  /// Up to a constant.
+  /// The displacement up to a constant.
   [[nodiscard]] NormalAndTangential<Float> displacement(const Float& e) const;
 
   std::unique_ptr<const SlipContact> contact_;

@@ -12,13 +12,14 @@ namespace {
 using Zones = Row<SlipZone>;
 
 constexpr int most_newton_steps = 40, most_corrections = 8;
-/// Digits of the grid on which zones are first sought, which is refined once, and of both last grids beyond those asked for.
+/// Digits of the grid on which zones are first sought, which is refined once, and extra digits of the last two grids.
 constexpr int first_digits = 6, coarse_guard = 3, fine_guard = 5;
-/// A relative change of a zone's length. In full precision what it changes keeps more digits than a double has.
+/// Relative change of a zone's length in a difference quotient, whose full precision leaves it more digits than a
+/// double.
 constexpr double step_of_lengths = 0x1p-50;
-/// Of a zone's length in a step of Newton's method, as a logarithm.
+/// Largest change of the logarithm of a zone's length in a step of Newton's method.
 constexpr double most_change = 0.7;
-/// A residual that is so much smaller after a step: the slopes are renewed if it is not.
+/// The slopes are renewed if a step does not reduce the residual by this factor.
 constexpr double slow_convergence = 0.01;
 
 Eigen::VectorXd in_double(const Vector& x, const Float& unit) {
@@ -27,7 +28,7 @@ Eigen::VectorXd in_double(const Vector& x, const Float& unit) {
   return result;
 }
 
-/// Without zones too short to matter, e^-nats of the contact, but for those that stick between opposite slips.
+/// The zones without those shorter than e^-nats of the contact, except for stick between opposite slips.
 Zones without_short(const Zones& zones, double nats) {
   Float least = 0;
   for (const SlipZone& zone : zones) least += zone.length * exp(Float(-nats));
@@ -52,7 +53,7 @@ class Newton {
     unknowns_ = Vector(contact_->sizes().count());
   }
 
-  /// The tractions of `near`, or of least squares.
+  /// Begins with the tractions of `near` or, without it, with those of least squares.
   void begin(const SlipField* near) {
     if (near != nullptr) {
       unknowns_ = contact_->unknowns_of(*near);
@@ -63,7 +64,7 @@ class Newton {
     evaluate();
   }
 
-  /// Whether it converges. Where a zone vanishes it does not, and the zones are without it.
+  /// Returns whether the method converges. If a zone vanishes, it does not, and zones() are without that zone.
   bool converges() {
     if (rest_.size() != unknowns_.size() + zones_.count()) return false;
     const Float enough = exp(Float(-grid_->nats())) / 100 * grid_->problem().unit;
@@ -117,8 +118,8 @@ class Newton {
     eliminated_.compute(slopes_);
   }
 
-  /// Refined once, as rows of zones of 1e-12 of the contact are small differences of the others: the rounding of each equation is
-  /// then relative to its own terms (Skeel 1980).
+  /// A step is refined once, so that the rounding error of each equation is relative to its own terms (Skeel 1980):
+  /// rows of zones as short as 1e-12 of the contact are small differences of the others.
   [[nodiscard]] Eigen::VectorXd newton_step(const Eigen::VectorXd& rest) const {
     const Eigen::VectorXd first = eliminated_.solve(rest);
     return first + eliminated_.solve(rest - slopes_ * first);
@@ -133,7 +134,7 @@ class Newton {
   Eigen::PartialPivLU<Eigen::MatrixXd> eliminated_;
 };
 
-/// The sign with which the contact slips at a sample by its inequalities, 0 where it sticks, and by how much these are violated.
+/// The sign that a sample should have by the inequalities, 0 for stick, and by how much these are violated.
 std::pair<int, Float> sign_by_inequality(const SlipField::Sample& sample, double friction) {
   const auto& [pressure, shear] = sample.tractions;
   const Float excess =
@@ -142,8 +143,8 @@ std::pair<int, Float> sign_by_inequality(const SlipField::Sample& sample, double
   return {sample.sign != 0 ? 0 : shear > 0 ? 1 : -1, excess};
 }
 
-/// Zones by the inequalities. All along where these are violated they are changed, unless it is by less than what a zone of the
-/// least length would: e^-nats of the contact's, whose tractions are as the root of that.
+/// The zones by the inequalities. A stretch where these are violated changes its sign, unless the violation is smaller
+/// than that of the shortest zone, which is e^-nats of the contact: tractions are like the root of a length.
 Zones corrected(const SlipField& field) {
   const SlipContact& contact = field.contact();
   const double nats = contact.grid().nats(), friction = contact.problem().friction;
@@ -170,8 +171,8 @@ Zones corrected(const SlipField& field) {
   return without_short(zones, nats);
 }
 
-/// At the trailing end no sheet sticks, unless it does all along. Slip that is wrong up to that end turns around. Slip that vanishes
-/// there leaves what slips before it up to the end, and turns around where nothing does.
+/// At the trailing end no sheet sticks, unless it sticks all along. Slip there that violates its inequality changes its
+/// sign. If it vanishes, the slip before it is extended to the end; if there is none, slip of the other sign is added.
 void slip_at_end(Zones& zones, const Zones& before, const SlipProblem& problem, bool vanishes) {
   const auto& [sign, length] = before.back();
   if (zones.back().sign != 0 || sign == 0 || problem.may_stick_all_along(zones)) return;
@@ -185,7 +186,7 @@ void slip_at_end(Zones& zones, const Zones& before, const SlipProblem& problem, 
   zones.push_back({-sign, part});
 }
 
-/// Solved with errors of about 10^-digits, from the field `near`, if any; the zones are left as they were found.
+/// Solves with errors of about 10^-digits, from the field `near` if there is one. `zones` become those that are found.
 std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels& kernels, Zones& zones,
                                         int digits, const SlipField* near) {
   std::unique_ptr<const SlipField> field;
@@ -209,7 +210,7 @@ SolvedSlip solved_slip(const SlipProblem& problem, SheetKernels& kernels, Row<Sl
   SolvedSlip result;
   for (int goal : {first_digits, 2 * first_digits, digits + coarse_guard, digits + fine_guard}) {
     auto field = solved(problem, kernels, zones, goal, result.fine.get());
-    // Short zones may show on a finer grid only.
+    // Short zones may be visible on a finer grid only.
     if (!field && goal == first_digits) continue;
     if (!field) return {};
     result.coarse = std::exchange(result.fine, std::move(field));
@@ -219,8 +220,8 @@ SolvedSlip solved_slip(const SlipProblem& problem, SheetKernels& kernels, Row<Sl
 
 int kernel_digits_of_slip(int digits) { return digits + 2 * fine_guard; }
 
-/// Remainders next to a panel's end are known to as many digits as they are small: twice. Over the lengths of zones that are as
-/// short, which differences are divided by, as many are lost again.
+/// Remainders near a panel's end are small by as many digits as are wanted of them, which makes twice the digits.
+/// Differences over the lengths of zones that are as short lose as many again.
 int working_digits_of_slip(int digits) { return 3 * (digits + fine_guard) + 10; }
 
 }  // namespace nipref::ref

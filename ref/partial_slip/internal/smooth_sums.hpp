@@ -5,29 +5,29 @@
 
 namespace nipref::ref {
 
-/// Two components, or the left sides of both equations but for what the values at the point itself add.
+/// Two components, for example the left sides of both equations without the local terms.
 template <class Number>
 struct NormalAndTangential {
   Number normal, tangential;
 };
 using PointSums = NormalAndTangential<ComplexFloat>;
 
-/// What the smooth parts of the kernels, U + 1/(pi alpha), V and S + 1/(pi alpha), make of p and q, by interpolation at
-/// Chebyshev's points of the contact.
+/// The integrals of p and q times the smooth parts of the kernels, U + 1/(pi alpha), V and S + 1/(pi alpha), by
+/// interpolation at Chebyshev's points of the contact.
 class SmoothSums {
  public:
   SmoothSums(const ZonePanels& panels, const ZoneGrid& grid, SheetKernels& kernels);
 
   void set(const OfBoth<Vector>& values);
   [[nodiscard]] PointSums at(const ComplexFloat& e) const;
-  /// The tangential one beside the contact, where it is not interpolated.
+  /// The tangential integral outside the contact, where it is not interpolated.
   [[nodiscard]] Float strain(const Float& e) const;
-  /// Of displacements, I1 + ln|alpha|, I3 and I6 + ln|alpha| over pi; up to a constant.
+  /// The same with the kernels of displacements, I1 + ln|alpha|, I3 and I6 + ln|alpha| over pi, up to a constant.
   [[nodiscard]] NormalAndTangential<Float> displacement(const Float& e) const;
 
-  /// Lagrange's polynomials of the points.
+  /// Lagrange's polynomials of the points, at e.
   [[nodiscard]] Row<ComplexFloat> lagrange(const ComplexFloat& e) const;
-  /// What U, V and S make at the points of all values.
+  /// The integrals of all unit values times the smooth U, V and S, at the points.
   [[nodiscard]] std::array<Eigen::MatrixXd, 3> slopes() const;
 
  private:
@@ -35,10 +35,10 @@ class SmoothSums {
   [[nodiscard]] NormalAndTangential<Float> applied(const Float& e, const Kernels& kernels_at) const;
 
   SheetKernels& kernels_;
-  Row<Float> places_;             ///< of the points, with both ends
-  Matrix integrals_;              ///< against Lagrange's polynomials, of all unit values
+  Row<Float> places_;             ///< Chebyshev's points, with both ends
+  Matrix integrals_;              ///< of all unit values times Lagrange's polynomials
   std::array<Matrix, 3> smooth_;  ///< U, V and S between the points, without 1/(pi alpha)
-  OfBoth<Vector> moments_;        ///< the integrals of p and q
+  OfBoth<Vector> moments_;        ///< integrals of p and q times Lagrange's polynomials
   NormalAndTangential<Vector> at_points_;
 };
 

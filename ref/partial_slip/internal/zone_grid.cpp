@@ -9,14 +9,14 @@ namespace {
 
 constexpr double pi_as_double = std::numbers::pi;
 
-/// Of panels, in half-thicknesses: longer ones need more nodes, shorter ones are more.
+/// In half-thicknesses. Longer panels need more nodes; shorter panels are more in number.
 constexpr double longest_panel = 3;
 
-/// The angle between a panel and the arc through its ends that rises to the height 2, where the kernels have poles; at most
-/// pi, the angle of what lies beyond its ends.
+/// The angle between a panel and the arc through its ends up to the height 2, where the kernels have poles; at most pi,
+/// the angle of the other zones.
 double free_angle(double length) { return 2 * std::atan(4 / length); }
 
-/// The least of x/2 + 1/(2 sqrt(x^2 + 1/4)): the part of the exponent that is left where it is least.
+/// The least value of x/2 + 1/(2 sqrt(x^2 + 1/4)), which is a lower bound of E/D: ref/partial_slip/README.md, The map.
 constexpr double least_part = 0.9296;
 
 }  // namespace
@@ -91,8 +91,8 @@ ComplexFloat ZonePanels::distance(const ContactPoint& point, GridIndex joint) co
 void ZonePanels::set_cauchy_row(Row<ComplexFloat>& row, const ZoneGrid& grid,
                                 const ContactPoint& point) const {
   row.grow(values_);
-  // The linear ones are twice integrated by parts: with f(t) = t ln|t| at the joints, differences over the panels' lengths, and of
-  // these again.
+  // The linear interpolations are integrated twice by parts. Their factors are differences, between panels, of the
+  // differences of f(t) = t ln|t| over a panel divided by its length.
   const auto potential = [&](GridIndex joint) -> ComplexFloat {
     const ComplexFloat way = distance(point, joint), value = abs(way) == 0 ? way : way * log(way) / pi();
     return joint <= point.panel ? -value : value;

@@ -26,7 +26,7 @@ struct Row : std::vector<Element> {
   }
 };
 
-/// Of what there are two: p and q.
+/// A pair, one part for p and one for q.
 template <class Part>
 using OfBoth = std::array<Part, 2>;
 inline constexpr std::size_t pressure_part = 0, shear_part = 1;
@@ -37,7 +37,7 @@ struct SlipZone {
   Float length;
 };
 
-/// Appends to the last zone if that has the same sign; between slip of opposite signs there is stick.
+/// Appends a zone, or lengthens the last one if its sign is the same. Between opposite slips a stick zone is inserted.
 inline void add_zone(Row<SlipZone>& zones, int sign, const Float& length) {
   if (!zones.empty() && zones.back().sign == sign) {
     zones.back().length += length;
@@ -48,17 +48,17 @@ inline void add_zone(Row<SlipZone>& zones, int sign, const Float& length) {
   zones.push_back({sign, length});
 }
 
-/// A contact that is sought, dimensionless. e >= 0 is the distance from the leading end, q the shear on the sheet along +e.
+/// The problem of a contact, dimensionless. e >= 0 is the distance from the leading end, q the shear along +e.
 struct SlipProblem {
   Float beta;
   double friction;
-  std::optional<Float> length;  ///< L; where it is not given
-  Float load = 0;               ///< int p de
-  std::optional<Float> creep;   ///< xi; where it is not given
-  Float shear = 0;              ///< int q de
-  Float unit = 1;  ///< about the length of the contact, which is the size of tractions and creeps too
+  std::optional<Float> length;  ///< L, if it is given
+  Float load = 0;               ///< int p de, if the length is not given
+  std::optional<Float> creep;   ///< xi, if it is given
+  Float shear = 0;              ///< int q de, if the creep is not given
+  Float unit = 1;               ///< about the length of the contact, also the scale of tractions and creeps
 
-  /// Whether the zones are one that sticks, which only a traction of 0 allows. That traction is then one by symmetry, no condition.
+  /// Whether all of the contact sticks, which only a traction of 0 allows. By symmetry this traction is no condition.
   [[nodiscard]] bool may_stick_all_along(const Row<SlipZone>& zones) const {
     return zones.count() == 1 && zones.back().sign == 0 && !creep && shear == 0;
   }
@@ -71,17 +71,17 @@ struct PanelPoint {
   ComplexFloat from_left, from_right;
 };
 
-/// The trapezoidal rule on a panel 0 < x < 1 by x = 1/(1 + e^(-steepness sinh s)). Places are counted in steps, c = 0, 1, ..
-/// at the nodes, whose number is even; x = 1/2 is halfway between two. ref/partial_slip/README.md, The map.
+/// The trapezoidal rule on a panel 0 < x < 1 by x = 1/(1 + e^(-steepness sinh s)). Places are counted in steps, c = 0,
+/// 1, .. at the nodes, whose number is even; x = 1/2 is halfway between two nodes. ref/partial_slip/README.md, The map.
 class ZoneGrid {
  public:
-  /// With errors of about e^-nats on the panels of zones of about these lengths. Each zone keeps its number of panels when its
-  /// length changes, so that unknowns stay what they are.
+  /// A grid with errors of about e^-nats on the panels of zones of about these lengths. A zone keeps its number of
+  /// panels when its length changes, so that the unknowns stay the same.
   ZoneGrid(const SlipProblem& problem, double nats, const Row<SlipZone>& zones);
 
   [[nodiscard]] const SlipProblem& problem() const { return problem_; }
   [[nodiscard]] double nats() const { return nats_; }
-  /// Into which a zone is divided.
+  /// The number of panels into which a zone is divided.
   [[nodiscard]] int panels_of(GridIndex zone) const { return panels_of_zones_[zone]; }
   [[nodiscard]] GridIndex nodes() const { return from_left_.count(); }
   [[nodiscard]] const Row<Float>& from_left() const { return from_left_; }
@@ -90,7 +90,7 @@ class ZoneGrid {
   [[nodiscard]] const Row<Float>& weight() const { return weight_; }
   [[nodiscard]] const Row<Float>& weight_over_pi() const { return weight_over_pi_; }
 
-  /// Where the equations are asked in a panel of that sign, at one point more than nodes: ref/partial_slip/README.md.
+  /// The collocation points in a panel of that sign, one more than nodes: ref/partial_slip/README.md.
   [[nodiscard]] const Row<PanelPoint>& points(int sign) const {
     return points_[static_cast<std::size_t>(sign + 1)];
   }
@@ -110,13 +110,13 @@ class ZoneGrid {
   std::array<Row<PanelPoint>, 3> points_;
 };
 
-/// A part of a zone. It has values of p and of q: what is left of them at the nodes when their linear interpolation between
-/// the panel's ends is taken off, then those at its left and right end. Rows of all values are by panels.
+/// A part of a zone. Its values of p and of q are their remainders at the nodes, beyond the linear interpolation
+/// between the panel's ends, then p and q at its left and right end. Rows of all values are ordered by panels.
 struct ZonePanel {
   int sign;
   Float left, length;
   double slip_ratio;  ///< q/p where it slips
-  GridIndex first;    ///< value
+  GridIndex first;    ///< index of its first value
 };
 
 /// A point of a panel.
@@ -125,7 +125,7 @@ struct ContactPoint {
   PanelPoint at;
 };
 
-/// Of all zones, from the leading end. They are those of the grid, but for their lengths.
+/// The panels of all zones, from the leading end: as many as the grid has, with the lengths of the zones.
 class ZonePanels : public Row<ZonePanel> {
  public:
   ZonePanels(const Row<SlipZone>& zones, const ZoneGrid& grid);
@@ -133,11 +133,11 @@ class ZonePanels : public Row<ZonePanel> {
   [[nodiscard]] GridIndex values() const { return values_; }
   [[nodiscard]] Float length() const { return back().left + back().length; }
   [[nodiscard]] ComplexFloat place(const ContactPoint& point) const { return distance(point, 0); }  ///< e
-  /// From the left end of panel `joint`, 0 to the number of panels. Its real part is > 0.
+  /// The distance of a point from the left end of panel `joint`, 0 to the number of panels. Its real part is > 0.
   [[nodiscard]] ComplexFloat distance(const ContactPoint& point, GridIndex joint) const;
-  /// Cauchy's integral 1/pi int t(e')/(e' - e) de' over the contact at a point, as factors of all values of t: by the grid's rule
-  /// and, of the linear interpolations, in closed form, by the values at left ends. In the point's panel the rule lacks what the
-  /// remainder at the point adds.
+  /// Sets the factors of all values of t in Cauchy's integral 1/pi int t(e')/(e' - e) de' over the contact, at a point.
+  /// Remainders are summed by the grid's rule, which in the point's panel lacks the local term of the remainder. Linear
+  /// interpolations are integrated in closed form, by factors of the values at left ends.
   void set_cauchy_row(Row<ComplexFloat>& row, const ZoneGrid& grid, const ContactPoint& point) const;
 
  private:
