@@ -113,8 +113,8 @@ struct ConvergedNip::Implementation {
     check_inside(point);
     return {place_of(point.y), point.depth, is_symmetric() && point.y == 0};
   }
-  /// The rising positions at which maxima and zeros of tractions are sought, in a symmetric contact those >= 0. With
-  /// full friction they become closer towards the end.
+  /// The positions, rising, between which maxima and zeros of tractions are sought, in a symmetric contact those >= 0.
+  /// With full friction they become dense towards the end.
   [[nodiscard]] std::vector<double> places() const {
     std::vector<double> result = equations().grips() ? places_towards_end() : places_on_panels();
     std::ranges::sort(result);
@@ -147,7 +147,7 @@ struct ConvergedNip::Implementation {
         if (!is_symmetric()) result.push_back(middle - from_middle);
       }
     }
-    // Layers have their own scale.
+    // Layers vary on a scale of their own.
     for (const std::complex<double>& rate : solved.last().tractions().layer_rates()) {
       const double length = std::min(half_length(), 10 / std::abs(rate));
       for (int i = 1; i < 3 * steps; ++i) result.push_back(middle + half_length() - length * i / (3 * steps));
@@ -248,7 +248,7 @@ Estimate ConvergedNip::pressure(double y) const {
 
 Estimate ConvergedNip::shear(double y) const {
   const ContactPlace place = nip_->place_of(y);
-  // In the middle the shear changes its sign.
+  // In the middle the shear is 0, because it is odd.
   if (!nip_->equations().grips() || y == 0) return {0, 0};
   return times(nip_->units.pressure, nip_->traction(TractionComponent::shear, place));
 }

@@ -71,7 +71,7 @@ class ConvergedNip {
   /// surface_strain(y) - creep_ratio(), dimensionless. Its error is less than the sum of the two errors, because a
   /// common error counts once. 0 in a contact with full friction.
   [[nodiscard]] Estimate slip(double y) const;
-  /// Inside the sheet: see InnerStresses.
+  /// The stresses inside the sheet, see InnerStresses.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;
   /// normal_displacement and tangential_displacement at any depth of an elastic sheet; BadInput in rolling.

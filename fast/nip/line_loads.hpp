@@ -35,8 +35,7 @@ struct CreepRange {
 /// it is asked for. The results have no error estimates: they are those of the discrete contact, to rounding.
 ///
 /// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading (entry) side,
-/// unit of length, finite; otherwise BadInput. The displacements of a Y at a line load, which are infinite, are
-/// BadInput.
+/// unit of length, finite; otherwise BadInput. Displacements are infinite at a line load, so that such a Y is BadInput.
 struct LineLoadNip {
   double roller_radius;         ///< R, unit of length
   int leading_elements;         ///< m1

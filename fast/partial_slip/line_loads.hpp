@@ -6,14 +6,14 @@
 
 namespace nipref::fast {
 
-/// A nip with Coulomb's friction by line loads at the centres of equal elements: no normal load is negative, |Q| <= mu
-/// P, and Q = mu P against the slip if an element slips. In steady rolling the slip of an element is the change of the
-/// displacement against the roller from the element ahead to this one.
+/// A nip with Coulomb's friction by line loads at the centres of equal elements. No normal load is negative,
+/// |Q| <= mu P, and Q = mu P against the slip if an element slips. In steady rolling the slip of an element is the
+/// change of the displacement against the roller from the element ahead to this one.
 ///
 /// The thesis's line loads hold the sheet to the roller midway between the loads (2.2). A row of loads of alternating
 /// sign does not move these points, whatever its size, so that conditions of stick and slip there do not determine the
 /// loads. These line loads hold the mean displacement of each element instead. The contact's ends are borders of
-/// elements: lengths have an error of about an element, the creep in most contacts of about 1/(number of elements)^2.
+/// elements: the error of lengths is about an element, that of the creep mostly falls like 1/(number of elements)^2.
 struct PartialSlipLineLoads : LineLoadNip {
   /// As of PartialSlipNip.
   std::vector<double> zone_boundaries;

@@ -139,7 +139,7 @@ struct PartialSlipNip::Implementation : Solutions {
     }
     return largest;
   }
-  /// The error of a number per unit of the tractions about e. Where the sheet sticks, only violated conditions count.
+  /// The error of a number whose derivatives by the tractions about e are 1. In zones of stick only violations count.
   [[nodiscard]] double error_by_tractions(double e) const {
     const LocalError error = error_near(e);
     const bool slips = e > 0 && e < length() && second.sign(e) != 0;
@@ -335,7 +335,7 @@ namespace {
 
 PartialSlipNip partial_slip(const data::PartialSlipNip& nip, const ContactUnits& units,
                             const PartialSlipTask& task, double accuracy) {
-  // Zones are sought with the accuracy of the second contact, and with a better one if zones are missing at that.
+  // Zones are sought with the accuracy of the second contact, and with better ones while zones are missing.
   std::optional<Solutions> solutions;
   double load = task.load ? *task.load : load_guess(*task.length / 2);
   const double least = std::max(std::log(8 / accuracy), least_nats);

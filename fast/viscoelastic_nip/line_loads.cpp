@@ -102,7 +102,7 @@ LineLoadSheet rolling_sheet(const std::shared_ptr<const RollingLoads>& problem, 
     if (!(t >= 0)) throw BadInput("y", y, "must not be ahead of where the leading end started");
     double sum = 0;
     for (const FaceLoad& load : loads) {
-      // The load passed the pinned point when it was at the line through the centres, load.y ago.
+      // The load passed the pinned point, which is at the line through the centres now, load.y ago.
       const double T = t + (y - load.y) / half_thickness, t0 = t - load.y / half_thickness;
       sum += load.normal * (direction == FaceDirection::normal ? problem->normal_displacement(t, T)
                                                                : problem->tangential_displacement(t, T, t0));

@@ -30,8 +30,7 @@ class InnerField {
   InnerField(const SolvedNip& nip, double ends) : nip_(nip), equations_(nip.equations()), ends_(ends) {}
 
   [[nodiscard]] InnerStresses at(const SheetPoint& point) const;
-  /// The displacements less v and |depth| u of the face, over theta1 + theta2. `share`: theta1 and theta2 over their
-  /// sum.
+  /// The displacements less v and |depth| u of the face, over theta1 + theta2.
   [[nodiscard]] InnerDisplacements from_face(const SheetPoint& point, const internal::Shares& share) const;
   /// The largest shear and its place, y from the contact's middle, by a grid that scales with the contact and is finer
   /// at its ends, then by ever smaller steps around the best place. In a symmetric contact only y >= 0 is searched.
@@ -54,7 +53,7 @@ class InnerField {
 /// BadInput unless y is finite and the depth from -1 to 1.
 void check_inside(const InnerPoint& point);
 
-/// The displacements at a depth, from those of the face and from those of InnerField::from_face, `beyond` times `unit`.
+/// The displacements at a depth: v and |depth| u of the face, plus `unit` times `beyond`, from InnerField::from_face.
 InnerDisplacements beyond_face(const InnerDisplacements& face, double depth, double unit,
                                const InnerDisplacements& beyond);
 

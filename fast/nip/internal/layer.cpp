@@ -33,7 +33,7 @@ Complex asymptotic_dawson(Complex square, Complex z) {
 }
 
 /// h(s) = D(z)/z = int_0^1 e^(-s (1 - t^2)) dt, s = z^2, on a ray of s up to |s| = asymptotic_from: Taylor polynomials
-/// about odd |s|, each between even |s|. Their coefficients are such integrals with powers of 1 - t^2.
+/// about odd |s|, each between even |s|. Their coefficients are such integrals with powers of 1 - t^2 as factors.
 using Table = std::vector<std::vector<Complex>>;
 
 /// Computes a table in extended precision and drops coefficients less than the rounding of a double. Gauss's rule of 40

@@ -5,9 +5,9 @@
 
 namespace nipref::fast {
 
-/// The pressure -(2 rate/sqrt pi) D(sqrt(rate e)) over e > 0, Re rate >= 0. Its displacement by the kernel -ln|e -
-/// e'|/pi is e^(-rate e) plus a constant, because H[D] = -(sqrt pi/2) e^(-x^2), H the Hilbert transform. D is Dawson's
-/// integral, D(z) = z int_0^1 e^(-z^2 (1 - t^2)) dt.
+/// The pressure -(2 rate/sqrt pi) D(sqrt(rate e)) over e > 0, Re rate >= 0. With the kernel -ln|e - e'|/pi it causes
+/// the displacement e^(-rate e) plus a constant, because H[D] = -(sqrt pi/2) e^(-x^2), H the Hilbert transform. D is
+/// Dawson's integral, D(z) = z int_0^1 e^(-z^2 (1 - t^2)) dt.
 class LayerPressure {
  public:
   explicit LayerPressure(std::complex<double> rate);

@@ -38,8 +38,7 @@ Functional NipEquations::eccentricity(const Solution& solution) const {
   return result;
 }
 
-/// Each step halves the error: load grows at least like the square of the length, and softening at most like the
-/// length.
+/// Each step halves the error: a load grows at least like the length squared, softening at most like the length.
 double NipEquations::half_length_of(double load) const {
   constexpr int most_steps = 5;
   double half_length = 0, softening = 0;

@@ -79,7 +79,7 @@ class NipEquations {
   [[nodiscard]] virtual std::optional<internal::Shares> shares() const { return {}; }
 };
 
-/// I1/pi: the normal displacement that the pressure causes in an elastic sheet. It refers to `kernels`.
+/// I1/pi: the normal displacement that the pressure causes in an elastic sheet. `kernels` must outlive it.
 Tractions::SplitKernel frictionless_kernel(CountedKernels& kernels);
 
 /// The tolerance of quadratures whose error is to be less than that of rounding.

@@ -47,8 +47,8 @@ struct Weight {
   }
 };
 
-/// The integrals over [0, 1] of w T_n, n < count. If is_whole, int w = |Gamma(3/2 + i y)|^2 = (1/4 + y^2) pi/cosh(pi
-/// y).
+/// The integrals over [0, 1] of w T_n, n < count. Of a whole contact the first one is
+/// |Gamma(3/2 + i y)|^2 = (1/4 + y^2) pi/cosh(pi y).
 std::vector<LongComplex> moments(const PanelBasis& basis, int count) {
   const Weight weight(basis);
   const Long y = basis.exponent;
@@ -101,7 +101,7 @@ struct FirstIntegrals {
     logarithm = pi / 4 * (t * t - 0.5L - 2 * ln2);
     sign = -(t * std::sqrt(1 - t * t) + std::asin(t)) / 2;
   }
-  /// Integrates over [0, s] and over [s, 1]. For the principal value w(s) is subtracted from w; its part is known.
+  /// Integrates over [0, s] and over [s, 1]. For the principal value w is replaced by w - w(s); that of w(s) is known.
   void integrate(const Weight& weight, double s) {
     static const std::vector<UnitNode> rule = double_exponential_rule(1e-17);
     const auto log_of_part = [](double part, double rest) {

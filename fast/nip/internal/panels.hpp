@@ -22,16 +22,15 @@ struct Resolution {
   int checking_terms = 3;
 };
 
-/// The largest half-lengths of a contact with one expansion over the whole contact. It needs the fewest terms, but the
-/// wider it is, the larger is the logarithm relative to the kernel, in which the logarithm cancels. Beyond the second
-/// half-length several panels have smaller rounding errors.
+/// The largest half-lengths with one expansion over the whole contact, which needs the fewest terms. The wider a panel
+/// is, the larger is the logarithm relative to the kernel, in which the logarithm cancels. Beyond the second
+/// half-length several panels therefore have smaller rounding errors.
 inline constexpr double longest_whole = 12, longest_always_whole = 4;
 
 /// The panels of a contact. Up to the half-length `longest` one panel is the whole contact, if its terms are few
 /// enough. Otherwise the widths of the panels double from the end on, until the effect of the end is less than rounding
-/// or the middle is near, and one panel is about the middle. The number of terms follows from the tractions'
-/// singularities, at the ends and +- 2 i beside them, and from the exponentials, whose coefficients are modified Bessel
-/// functions.
+/// or the middle is near, and one panel is about the middle. The number of terms follows from the singularities of the
+/// tractions, at the ends and +- 2 i beside them, and from the exponentials, expanded in modified Bessel functions.
 std::vector<Panel> panels(double half_length, const Resolution& resolution, double longest = longest_whole);
 
 /// Whether the pressure of an exponential of this rate has its own function at the leading end, a layer (layer.hpp).

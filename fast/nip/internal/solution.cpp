@@ -116,7 +116,7 @@ Solution::Parts Solution::parts(const Functional& f) const {
   const Eigen::RowVectorXd of_left_out = f.on_tractions(left_out_) - z.transpose() * left_out_columns_;
   const double of_terms = std::fabs(f.constant) + f.on_tractions.cwiseAbs().dot(coefficients_.cwiseAbs()) +
                           f.on_unknowns.cwiseAbs().dot(unknowns_.cwiseAbs());
-  // Far away the kernels underflow, over the whole contact.
+  // Kernels may underflow far away, on tractions over the whole contact.
   const double underflown = underflow * (1 + 2 * half_length() * coefficients_.cwiseAbs().sum());
   // The norm is scaled, because the squares of z underflow long before z does.
   return {value(f), tails_.dot(of_left_out.cwiseAbs()),

@@ -16,10 +16,10 @@ namespace nipref::fast {
 /// leads, the number is J_1 + (A - A_1) (J_1 - J_0)/(A_1 - A_0) up to the curvature (A - A_0) (A - A_1) J''/2. Numbers
 /// of a contact are nearly powers of A with exponents p between -5 and 5 (the load of an incompressible film without
 /// slip grows like A^5), so that |J''|/2 is at most 15 |J|/A^2. This also holds for the length itself. A memory of rate
-/// r changes by the factor e^(-2 r A) over the contact. For a number with this factor |J''|/2 is |(p/A - 2 r)^2 -
-/// p/A^2| |J|/2, at most (5.5 + 2 |r| A)^2 |J|/(2 A^2), times e^(-2 A Re r) because the memory fades; this exceeds 15
-/// |J|/A^2 where the memory oscillates. The error of the number is the sum of the error of its solution, this
-/// curvature, and |dJ/dA| times the error of the length, which is the error of the load over dW/dA.
+/// r changes by the factor e^(-2 r A) over the contact. For a number with this factor |J''|/2 is
+/// |(p/A - 2 r)^2 - p/A^2| |J|/2, at most (5.5 + 2 |r| A)^2 |J|/(2 A^2), times e^(-2 A Re r) because the memory fades.
+/// This exceeds 15 |J|/A^2 if the memory oscillates. The error of the number is the error of its solution, plus this
+/// curvature, plus |dJ/dA| times the error of the length, which is the error of the load over dW/dA.
 class SolvedNip {
  public:
   using Number = std::function<Functional(const Solution&)>;

@@ -93,8 +93,8 @@ double degree_of_exponential(double phase) {
 /// On a piece, a part p of a panel, a polynomial of degree n over the panel grows like a polynomial of this degree. On
 /// the piece's ellipse of L nats a degree it grows by n g, g the nats of the panel's ellipses. g follows from the sum
 /// of the distances from the panel's ends, a convex function of the position of the piece, which is largest if the
-/// piece is at an end. There cos(theta/2) = sqrt p cos(theta'/2), theta and theta' the angles of panel and piece, Im
-/// theta' = L, so that g is at most 2 arsinh(sqrt p sinh(L/2)). g/L grows with L. For the ellipse above sinh(L/2) = 1.
+/// piece is at an end. There cos(theta/2) = sqrt p cos(theta'/2), with theta of the panel, theta' of the piece and
+/// Im theta' = L, so that g is at most 2 arsinh(sqrt p sinh(L/2)). g/L grows with L; for that ellipse sinh(L/2) = 1.
 double degree_on_part(int degree, double part) {
   return degree * std::asinh(std::sqrt(std::min(part, 1.0))) / std::asinh(1.0);
 }
@@ -359,7 +359,7 @@ class Tractions::Sums {
     const auto rule = product_rule(of_.basis(panel), points, degrees(panel)),
                times_logarithm =
                    product_rule(of_.basis(panel), points, degrees(panel), RuleFor::times_logarithm);
-    // ln alpha = ln(place on the panel, from 0 to 1) + ln(width).
+    // ln alpha = ln x + ln(width), x from 0 to 1 on the panel.
     const auto [factor, rest] = kernel_.by_logarithm(width * rule->at, width);
     for (int i = 0; i < kernel_.functionals; ++i) {
       const Eigen::RowVectorXd of_logarithm = width * factor.row(i),

@@ -29,10 +29,10 @@ struct Panel {
 ///   with full friction   g = pressure + i shear;
 ///   in rolling           g = even + i odd part of the pressure: pressure(y) = Re g + Im g at y >= 0, Re g - Im g at -y.
 /// Panels cover 0 <= e <= A, e = A - y. On each panel g is a factor times a sum of terms (a_k + i b_k) T_k; the factor
-/// is (e/right)^exponent on the panel at the end and 1 on the others. About the middle the terms are a_k T_2k(t) + i
-/// b_k T_2k+1(t) with t = y/(A - left), and the factor is 1, or (e/A)^exponent (2 - e/A)^conj(exponent) if the panel is
-/// the whole contact. A layer is a further function, LayerPressure of its rate, on the panel at the leading end. It has
-/// two columns, its real part and minus its imaginary part.
+/// is (e/right)^exponent on the panel at the end and 1 on the others. About the middle the terms are
+/// a_k T_2k(t) + i b_k T_2k+1(t) with t = y/(A - left), and the factor is 1, or (e/A)^exponent (2 - e/A)^conj(exponent)
+/// if the panel is the whole contact. A layer is a further function, LayerPressure of its rate, on the panel at the
+/// leading end. It has two columns, its real part and minus its imaginary part.
 class Tractions {
  public:
   Tractions(double half_length, std::vector<Panel> panels, bool is_complex, std::complex<double> exponent,
@@ -59,7 +59,7 @@ class Tractions {
   struct Kernel {
     enum class FarAway { negligible, constant, varying };
     int functionals = 1;
-    FarAway beyond_reach = FarAway::negligible;  ///< at distances where kernels that decay have decayed
+    FarAway beyond_reach = FarAway::negligible;  ///< the kernel where those that decay are negligible
     /// The rates of exponentials beside alpha = 0 that may vary over less than a half-thickness.
     std::vector<std::complex<double>> rates;
     std::function<void(std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q)> at;
@@ -90,7 +90,7 @@ class Tractions {
   /// The columns of the layers alone, at places on the trailing half, 0 <= e <= A.
   [[nodiscard]] Eigen::MatrixXd rows_of_layers_behind(std::span<const double> places, const Kernel& kernel,
                                                       double tolerance) const;
-  /// The functionals at the matching points of all panels: as many as terms, and one more on the panel at the end.
+  /// The functionals at the matching points. Panels have as many points as terms, the panel at the end one more.
   struct MatchingRows {
     std::vector<double> points;
     Eigen::MatrixXd rows, sizes;  ///< sizes: of the parts that cancel in each number of rows, or 0

@@ -32,7 +32,7 @@ void remove(Zones& zones, std::size_t number) {
 }
 
 /// Removes the shortest zone of slip, and a zone of stick that this leaves at the trailing end. Later changes bring
-/// zones back that are needed. Returns false if no other zone of slip would be left.
+/// back the zones that are needed. Returns false if no zone of slip would be left.
 bool leave_out_shortest_slip(Zones& zones) {
   const auto length = [](const Zone& zone) { return zone.sign == 0 ? infinity : zone.length; };
   if (std::ranges::count(zones, 0, &Zone::sign) + 1 >= std::ssize(zones)) return false;
@@ -147,7 +147,7 @@ Zones with_missing(Zones zones, const std::vector<Part>& parts, const PartialSli
   return zones;
 }
 
-/// Newton's method with few unknowns first, which make its steps fast but may mislead it.
+/// The contact, solved with few unknowns first. They make Newton's steps fast, but may mislead the method.
 std::optional<ZoneContact> solved_in_two_stages(const PartialSlipTask& task, const Zones& zones,
                                                 double nats) {
   constexpr double few = 10;
@@ -189,7 +189,7 @@ std::optional<ZoneContact> best_with_missing(const PartialSlipTask& task, const 
 }
 
 /// Changes the zones until they meet all conditions as far as the accuracy shows, or until missing zones are not found.
-/// wrongness() tells what is left of violations.
+/// wrongness() measures the violations that are left.
 std::optional<ZoneContact> mended(const PartialSlipTask& task, std::optional<ZoneContact> contact,
                                   Zones zones, double nats) {
   while (!contact) {

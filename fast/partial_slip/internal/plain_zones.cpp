@@ -76,7 +76,7 @@ class Elements {
   /// The zone is where the slip between the elements is 0, about as long as for little friction. With q = -mu p before
   /// the zone, mu p behind it and the slope s' of the slip without it, (1/pi) int q'/(e' - e) de' = s' in the zone, and
   /// q' is bounded where the zone begins. Therefore q' = 2 mu p/pi (x/(l - x))^(1/2)/l at the distance 0 < x < l from
-  /// there, with l = 4 mu p/(pi s').
+  /// the beginning, with l = 4 mu p/(pi s').
   [[nodiscard]] Turn turn(int before, int behind) const {
     const double slope = (slip_(behind) - slip_(before)) / (edges_(behind) - edges_(before));
     return {edges_(behind) - slip_(behind) / slope,
@@ -236,7 +236,7 @@ double length_guess(const PartialSlipTask& task) {
 std::optional<Zones> plain_zones(const PartialSlipTask& task, int count) {
   const Elements elements = settled(task, length_guess(task), count);
   if (!elements.is_settled()) return std::nullopt;
-  // The last element always slips: this shows nothing if the one before slips, or all others stick without traction.
+  // The slip of the last element shows nothing if the one before slips, or if all others stick without traction.
   std::vector<int> signs = elements.signs();
   const auto sticking = static_cast<int>(std::ranges::count(signs, 0));
   if (signs[signs.size() - 2] != 0 || (sticking == count - 1 && task.traction == 0.0))

@@ -7,10 +7,10 @@
 
 namespace nipref::fast {
 
-/// The slopes of the sheet's displacements over N under line loads are U = (I1/pi)', V = (I3/pi)' and S = (I6(alpha,
-/// 0)/pi)'. They are the sum of -1/(pi alpha), in U and S, and rests that are analytic for |Im alpha| < 2. This class
-/// has the rests at alpha = a - b between targets e = a and sources e = b of a contact, interpolated to rounding
-/// between Chebyshev points: U = A K B^T, K the rests between Chebyshev points.
+/// The slopes of the sheet's displacements over N under line loads: U = (I1/pi)', V = (I3/pi)', S = (I6(alpha, 0)/pi)'.
+/// U and S are -1/(pi alpha) plus a rest, V is a rest; the rests are analytic for |Im alpha| < 2. This class evaluates
+/// the rests at alpha = a - b between targets e = a and sources e = b of a contact, interpolated to rounding between
+/// Chebyshev points: U = A K B^T, K the rests between these.
 class SlopeKernels {
  public:
   /// All points are between 0 and `length`.

@@ -128,8 +128,8 @@ std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneConta
                          std::max(of_tractions[i].shear, std::fabs(sample.shear - before.shear))};
     }
   }
-  // By chance both may have a boundary of the second. A rougher contact shows the error of the first, too, because the
-  // errors of boundaries fall like e^(-2 smooth_reach).
+  // By chance both may agree with the second on a boundary. A rougher contact shows the error of the first, too,
+  // because the errors of boundaries fall like e^(-2 smooth_reach).
   constexpr double rougher_by = 3;
   if (const auto rougher = solved(nats - rougher_by)) {
     const double fall = std::exp(-2 * ZoneMesh::smooth_reach(rougher_by));

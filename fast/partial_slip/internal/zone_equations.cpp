@@ -171,7 +171,7 @@ Eigen::VectorXd ZoneEquations::residual(const Kernels& kernels) const {
 }
 
 Eigen::VectorXd ZoneEquations::rounding_of_lengths() const {
-  constexpr double operations = 12, largest_rest = 0.25;  // rest of SlopeKernels: of S far away
+  constexpr double operations = 12, largest_rest = 0.25;  // largest_rest: of S far away
   const Forces forces = this->forces();
   const Eigen::VectorXd normal = forces.normal.abs(), tangential = forces.tangential.abs();
   const auto tractions = unknowns_.head(mesh_.unknowns());
@@ -277,7 +277,7 @@ bool ZoneEquations::converges(Elimination& derivatives) {
     if (!std::isfinite(size)) return false;
     // Steps shrink until rounding dominates.
     if (last_step < short_step && size > last_step / 2) return true;
-    // A part of the step is taken after which the same derivatives give a shorter step (Deuflhard 2004, 3.3).
+    // The step is halved until the next one by the same derivatives is shorter (Deuflhard 2004, 3.3).
     const Eigen::VectorXd unknowns = unknowns_;
     const Zones zones = zones_;
     for (double part = std::min(1.0, longest_step / size);; part /= 2) {

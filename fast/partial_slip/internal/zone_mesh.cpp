@@ -13,7 +13,7 @@ using std::numbers::pi;
 /// from the middle of a panel. For a length of 4 this is pi/2, with which the rule of this step has the error e^-nats.
 constexpr double longest_panel = 4;
 
-/// A step from 0 to 1, flat at both, that begins like x^2.
+/// A step from 0 to 1, flat at both ends; it begins like x^2.
 double smooth_step(double x) { return x * x * (3 - 2 * x); }
 
 }  // namespace
@@ -82,7 +82,7 @@ ZoneMesh::PanelEnd ZoneMesh::end(std::size_t panel, bool is_right, const Partial
   if (at_end) {
     const double power = 0.5 + (is_right ? 1 : -1) * shift(own.sign);
     result.pressure = result.shear = tail(power, power + 1, power + 2);
-    // Such nodes show a missing zone of slip at the end, which is left out if shorter than the accuracy.
+    // Nodes up to here show a missing zone of slip at the end, which is left out if it is shorter than the accuracy.
     if (own.sign == 0 && task.beta > 0) result.reach = nats;
     return result;
   }
@@ -143,7 +143,7 @@ ZoneMesh::Rows ZoneMesh::rows(std::size_t count, const auto& point) const {
 
 Eigen::VectorXd ZoneMesh::unknowns_of(const std::function<Traction(const Point&)>& traction) const {
   Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(unknowns_);
-  // The part of a traction that the unknowns set before leave.
+  // Sets an unknown to what the unknowns set before it leave of a traction.
   const auto set = [&](int unknown, const Point& point, double whole, double Share::*part) {
     for (const Share& share : shares(point)) whole -= share.*part * unknowns(share.unknown);
     unknowns(unknown) = whole;

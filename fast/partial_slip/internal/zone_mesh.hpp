@@ -29,7 +29,7 @@ namespace nipref::fast {
 /// int_0^inf s^b/(t - s) ds = pi cot(pi b) t^b.) Before the first node and beyond the last one the tractions are
 /// continued by the first three of these powers. The boundary values p(0) are unknowns, with the hat function of both
 /// panels. Where the sheet sticks, q is counted from mu p times a smooth step between the signs of both neighbours. A
-/// boundary where slip turns into stick has one equation more.
+/// boundary where slip turns into stick has an additional equation.
 class ZoneMesh {
  public:
   /// The largest |s|, at e^-72 of a panel from its end.
@@ -113,12 +113,12 @@ class ZoneMesh {
     Tail pressure, shear;
     double reach, depth;     ///< |s| of the last node with an unknown, and of the last node
     int value, shear_value;  ///< unknowns of the boundary's values, -1 where they are 0
-    bool extra;              ///< whether the boundary has one equation more
+    bool extra;              ///< whether the boundary has an additional equation
   };
   struct Panel {
     int zone, sign, part, parts;
     double length;
-    double from, to;  ///< signs that the shear is counted from at the zone's ends
+    double from, to;  ///< the neighbours' signs, from which the shear is counted at the zone's ends
     PanelEnd left = {}, right = {};
     int first_node = 0, last_node = 0;      ///< with unknowns
     int first_of_all = 0, last_of_all = 0;  ///< with those beyond
@@ -133,7 +133,7 @@ class ZoneMesh {
   void number();
   void add_points(const Panel& panel, int index);
   void add_hats(const Panel& panel, const Point& point, Shares& shares) const;
-  /// The factor of a hat: that of the last nodes also stands for all that would follow, sum_k e^(-k h).
+  /// The factor of a hat at a point. At the last nodes it also stands for all that would follow, sum_k e^(-k h).
   [[nodiscard]] double rest(const Panel& panel, const Point& point) const;
   [[nodiscard]] Rows rows(std::size_t count, const auto& point) const;
   void add_nodes(const Panel& panel, double steps, Shares& shares) const;
