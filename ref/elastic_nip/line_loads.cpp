@@ -81,9 +81,8 @@ const Interval& at(const std::vector<Interval>& values, int odd_multiple) {
   return values[static_cast<std::size_t>(std::abs(odd_multiple) / 2)];
 }
 
-/// The unknowns are d0 and the normal loads of a side, the rows the normal displacements at i = 0 .. m. With friction
-/// the shear loads, too, with the rows v = creep Y at i = 1 .. m. The right sides are the roller's shape, and a creep
-/// of 1.
+/// Unknowns: d0 and the normal loads of a side. Rows: the normal displacements at i = 0 .. m. With friction also the
+/// shear loads, and the rows v = creep Y at i = 1 .. m. The right-hand sides are the roller's shape and a creep of 1.
 NearlyKnownSystem system_of(const Problem& problem, const Lengths& lengths, int digits) {
   const int m = problem.elements();
   const auto of = [&](PlainKernel kernel) { return evaluate(problem, lengths, kernel, digits); };

@@ -198,7 +198,7 @@ struct ConvergedNip::Computed : Parts {
   [[nodiscard]] SurfacePoint place(double y) const {
     const ProvenResults& of = *proof->contact;
     const mpq_class distance = mpq_class(y) / units.length;
-    // Relative to ends that are given the place is exact.
+    // If the length is given, the place relative to the ends is exact.
     const Interval ahead = sheet->is_symmetric() && half_length
                                ? Interval(mpq_class(distance / half_length->value()), working_bits())
                                : (Interval(distance, working_bits()) - of.offset()) / of.half_length();
@@ -214,7 +214,7 @@ struct ConvergedNip::Computed : Parts {
         .error;
   }
 
-  /// Whether x is outside the contact whatever the error of the ends.
+  /// Whether x is outside the contact, wherever its ends are within their error.
   [[nodiscard]] bool is_outside(const Float& x) const {
     const Float known = end_error();
     return !(x > -known && x < 2 * fine().half_length() + known);

@@ -11,19 +11,18 @@ namespace nipref::ref {
 
 /// The continuous contact of a nip in multiprecision, elastic or rolling. It is made by converged_for_length() and
 /// converged_for_load() of elastic_nip/converged.hpp and viscoelastic_nip/converged.hpp. The tractions are bounded and
-/// vanish at both ends: with full friction, where the sheet sticks to the rollers, as the power 1/2 -+ i ln(3 - 4
-/// poisson)/(2 pi) of the distance, without friction as its square root. On panels they are polynomials times that
-/// power, see internal/tractions.hpp. Inputs are doubles taken exactly, of a material the parameters it was made of if
-/// it has them; units as in data. (thesis 2.1-2.6, 5.3, 5.5, 7.6, 7.15, 7.17; continuous form)
+/// vanish at both ends: without friction as the square root of the distance, with full friction, where the sheet sticks
+/// to the rollers, as its power 1/2 -+ i ln(3 - 4 poisson)/(2 pi). They are polynomials times that power on panels, see
+/// internal/tractions.hpp. Inputs are doubles taken exactly; those of a material are the parameters it was made of, if
+/// it keeps them. Units as in data. (thesis 2.1-2.6, 5.3, 5.5, 7.6, 7.15, 7.17; continuous form)
 ///
 /// A proven result (ref/README.md, What is proven) has Estimate::proven true. Its bound is at most 10^-digits of the
-/// value for lengths, load, indentation and peaks, of the largest value for profiles, of the largest pressure for
-/// shears; larger where Y is so near an end that the error of a length found for a load counts. All other results have
-/// an error estimate, about 10^-digits of the largest value of their kind, see internal/nip_solution.hpp.
+/// value for lengths, load, indentation and peaks, of the largest value for profiles, and of the largest pressure for
+/// shears. The bound is larger where Y is so near an end that the error of a length found for a load counts. All other
+/// errors are estimates of about 10^-digits at most of the largest value of their kind, see internal/nip_solution.hpp.
 ///
 /// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading (entry) side,
-/// unit of length. It must be finite, for displacements and strain within 450 thicknesses of the contact; else
-/// BadInput.
+/// unit of length. BadInput unless it is finite, for displacements and strain within 450 thicknesses of the contact.
 ///
 /// One object must not be used by two threads at once.
 class ConvergedNip {

@@ -52,7 +52,7 @@ class LineLoadNip {
   /// (thesis, section 5.5, Figure 15)
   [[nodiscard]] CreepRange creep_range() const;
   /// The borders Y >= 0, rising, between elements whose shear loads have opposite signs; the first is the middle. There
-  /// are none without friction. Loads whose sign the bounds do not tell are skipped: the border covers them.
+  /// are none without friction. A border covers the elements beside it whose signs the bounds do not tell.
   [[nodiscard]] std::vector<Enclosure> shear_zeros() const;
   /// The normal or the shear load of the element around Y over its width, 0 outside the contact. A place within 1e-15
   /// L1 of a border belongs to the trailing element, in a symmetric nip to the outer one.

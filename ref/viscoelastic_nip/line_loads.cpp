@@ -160,7 +160,7 @@ LineLoadNip line_loads_for_length(const data::ViscoelasticNip& nip, const data::
 
 LineLoadNip line_loads_for_load(const data::ViscoelasticNip& nip, const data::ViscoelasticLineLoads& method,
                                 double load, int digits) {
-  constexpr int digits_of_search = 16 - extra_digits.first;  // so that the influences first have 16
+  constexpr int digits_of_search = 16 - extra_digits.first;  // the influences have 16 digits at first
   RollingLoads problem = checked(nip, method, digits);
   if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
   LengthSearch search = search_of(problem, load);

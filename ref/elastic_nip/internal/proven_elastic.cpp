@@ -15,13 +15,13 @@ constexpr int first_digits = 12;  ///< digits to which a length is found before 
 
 /// How many digits each part of a solution is computed to.
 struct ContactPrecision {
-  int expansion;  ///< the coefficients' radius
+  int expansion;  ///< digits of the coefficients' radius
   int kernel;     ///< digits after the point
   int working;
 };
 
-/// The radius of the coefficients enters displacements times about 1 + A. A contact of given load ends between doubles;
-/// the pressure at the double next to the end, which falls like a square root, loses half of a double's digits. Kernel
+/// The radius of the coefficients enters displacements times about 1 + A. A contact of given load ends between doubles.
+/// At the double next to the end the pressure, like the root of the distance, loses half of a double's digits. Kernel
 /// values are summed over the terms twice, and divided by the least eigenvalue.
 ContactPrecision precision_for(double half_length, int digits, bool for_load) {
   const int expansion =
@@ -41,7 +41,7 @@ struct SolvedSystem {
       : system(half_length, size, kernel, false), right(SlopeSeries::line(size)), c(system.solution(right)) {}
 
   [[nodiscard]] Float load() const { return pi() * system.half_length() * system.half_length() * c[1]; }
-  /// d ln W/d ln A = 2 (sum m c_m)^2/c_1: dW/dA grows as the square of the root's coefficient in p at the ends.
+  /// d ln W/d ln A = 2 (sum m c_m)^2/c_1: dW/dA is proportional to K^2, where p is K sqrt(distance) near the ends.
   [[nodiscard]] Float growth() const {
     Float sum = 0;
     for (std::size_t m = 1; m < c.size(); m += 2) sum += m * c[m];

@@ -8,9 +8,8 @@
 
 namespace nipref::ref {
 
-// The frictionless contact of an elastic sheet, solved and proven so that its results have `digits` digits. Half
-// lengths are in half-thicknesses, beta = theta2/N. Nothing if most_terms do not suffice. The kernel is ref's I1,
-// except in tests.
+// The frictionless contact of an elastic sheet, solved and proven, with results to `digits` digits. Half lengths are in
+// half-thicknesses, beta = theta2/N. Nothing if most_terms do not suffice. The kernel is ref's I1, except in tests.
 
 std::optional<Proof> proven_elastic(const Exact& half_length, const Exact& beta, int digits,
                                     const NormalKernel& kernel, int most_terms);

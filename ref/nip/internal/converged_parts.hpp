@@ -26,8 +26,7 @@ struct NipUnits {
         force(pressure * length) {}
 };
 
-/// A nip to be solved to `digits` digits. The reference solves its contacts from `shortest` to `most` sheet
-/// thicknesses.
+/// A nip to be solved to `digits` digits. The reference solves contacts from `shortest` to `most` sheet thicknesses.
 struct NipTask {
   double roller_radius, sheet_thickness;
   const char* kind;

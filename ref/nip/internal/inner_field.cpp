@@ -186,8 +186,8 @@ const std::vector<InnerField::Wave>& InnerField::waves(const Float& alpha) const
 
 /// With a = 2 sinh z/D and b = 2 cosh z/D the symbol is [first a + second z b] C + third s z a E under the pressure and
 /// [first b + second z a] C + third s z b E under the shear. C is cosh sz, or sinh sz if it is odd in the depth, and E
-/// is the other. From each product of a or b with C or E, its part of both half-planes, 2 e^-z C or 2 e^-z E, is
-/// subtracted. The pressure is multiplied by sin or cos of z (alpha - alpha'), the shear then by -cos or sin.
+/// is the other. From each product of a or b with C or E the part of both half-planes is subtracted: 2 e^-z C or
+/// 2 e^-z E. The pressure is multiplied by sin or cos of z (alpha - alpha'), the shear then by -cos or sin.
 struct InnerField::Form {
   bool sine, odd_in_depth;
   Float first_pressure, first_shear, second, third;
@@ -202,7 +202,7 @@ void InnerField::add_sheet_rest(const SheetPoint& point, const std::array<Form, 
     const Float near = wave.fall * growth, far = wave.fall * inverse;
     const std::array<Float, 2> depth{(growth + inverse) / 2, (growth - inverse) / 2},
         planes{near + far, near - far};
-    std::array<Float, 2> a, b;  // times an even and an odd function of the depth
+    std::array<Float, 2> a, b;  // for an even and for an odd function of the depth
     for (std::size_t i = 0; i < 2; ++i) {
       a[i] = wave.sinh_part * depth[i] - planes[i];
       b[i] = wave.cosh_part * depth[i] - planes[i];

@@ -65,6 +65,7 @@ class InnerField {
  private:
   /// A point relative to one of the faces.
   struct FacePoint;
+  /// A node of the double exponential rule over the contact, with the tractions there times its weight.
   struct Charge {
     Float from_middle;
     PressureAndShear weighted;
@@ -117,16 +118,14 @@ class ContactField {
   ContactField(const FieldSource& coarse, const FieldSource& fine, const Float& scale,
                const Float& uncertainty, int digits);
 
-  /// The stresses at a point, times the unit of stress. `symmetric`: the pressure is even and the shear odd about
-  /// alpha = 0.
+  /// The stresses at a point, times the unit of stress. If `symmetric`, p is even and q is odd about alpha = 0.
   [[nodiscard]] InnerStresses at(const SheetPoint& point, bool symmetric, const Float& unit) const;
   /// The displacements, times their unit, of an elastic contact, whose pressure is even and whose shear is odd about
   /// alpha = 0. The error estimate is twice the difference plus `uncertain`.
   [[nodiscard]] InnerDisplacements displacements_at(const SheetPoint& point, const FloatShares& share,
                                                     const Float& uncertain, const Float& unit) const;
   /// The maximum is located by samples whose spacing scales with the contact, by a search around the best sample, and
-  /// by Newton's method for the zero of the gradient, which is computed by differences. `length` is the unit of
-  /// length.
+  /// by Newton's method for the zero of the gradient, which is computed by differences. `length` is the unit.
   [[nodiscard]] GreatestShear greatest(bool symmetric, const Float& unit, const Float& length) const;
 
  private:

@@ -82,7 +82,7 @@ struct LengthSearch {
       return contact ? sign_of(contact->load() - wanted) : 0;
     };
     const Lengths lengths{length, pow(Float(10), -digits)};
-    // Both lengths tried lie inside by a thousandth of the spread, so that rounding puts neither outside.
+    // Both lie inside by a thousandth: rounding puts neither outside, and the load changes far more than its error.
     const Float change = length * lengths.spread * (1 - Float(1e-3));
     if (sign_at(length - change) * sign_at(length + change) >= 0) return {};
     ++systems;

@@ -110,8 +110,7 @@ class ElasticSheet : public NipSheet {
   [[nodiscard]] bool grips() const override { return grips_; }
   [[nodiscard]] bool is_symmetric() const override { return true; }
   [[nodiscard]] const Float& beta() const override { return beta_; }
-  /// The tractions vanish at the ends as the power 1/2 - i epsilon, with epsilon = 0 without friction, else
-  /// atanh(beta)/pi.
+  /// The epsilon of the power 1/2 - i epsilon with which tractions vanish at the ends: atanh(beta)/pi with friction.
   [[nodiscard]] Float epsilon() const;
 
  private:

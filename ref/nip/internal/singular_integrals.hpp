@@ -6,8 +6,8 @@ namespace nipref::ref {
 
 // Integrals of t^m T_k(2t - 1) over 0 <= t <= 1, k < count, alone and times functions that are singular at x. A matrix
 // has a row for each k: real part, imaginary part. m is 0, or 1/2 - i epsilon at an end. The integrals follow from
-// recurrences: ref/nip/README.md, Tractions on panels. Those of 1/(x - t) are principal values C_k, with C_{k+1} = 2
-// (2x - 1) C_k - C_{k-1} - 4 int t^m T_k. Outside 0 .. 1 the other solution grows: more digits.
+// recurrences: ref/nip/README.md, Tractions on panels. That of the principal values C_k with 1/(x - t) is C_{k+1} =
+// 2 (2x - 1) C_k - C_{k-1} - 4 int t^m T_k. It takes more digits for x outside 0 .. 1, where its other solution grows.
 
 Matrix plain_integrals(const ComplexFloat& m, int count);
 

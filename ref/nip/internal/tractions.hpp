@@ -77,7 +77,7 @@ class Tractions {
     std::size_t panel;
     Float from, width;
     Nodes nodes;
-    Matrix own;   ///< row k: the panel's T_k as a sum of those of the piece; empty if both are the same
+    Matrix own;   ///< row k: the panel's T_k in terms of the piece's T_j; empty if they are the same
     Vector sums;  ///< where w is 1: the integrals of T_k over the piece, then those of e T_k
   };
   struct Image;

@@ -168,7 +168,7 @@ class PlainContact {
   Eigen::VectorXd pressure_, shear_, slip_, slope_pressure_, slope_shear_;  ///< slopes are by creep
 };
 
-/// Opposite slips that are adjacent or one element apart get between them a stick zone of the length in `sticking`.
+/// Puts a stick zone of the length in `sticking` between opposite slips that are adjacent or one element apart.
 void stick_between_slips(Row<SlipZone>& zones, const Row<double>& sticking, double element) {
   Float left = 0;
   for (GridIndex k = 1; k + 1 < zones.count(); ++k) {

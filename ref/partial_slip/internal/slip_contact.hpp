@@ -21,7 +21,7 @@ class SlipContact {
   void set(const Vector& unknowns);
   /// The scales of the unknowns. Near a panel's end they are like the root of the distance.
   [[nodiscard]] const Row<Float>& sizes() const { return sizes_; }
-  /// The left sides of the equations, which should be 0; and, precise to double, their slopes by unknowns over sizes.
+  /// The left sides of the equations, which should be 0; and their slopes by unknowns over sizes, precise to double.
   [[nodiscard]] Vector residual() const;
   [[nodiscard]] Eigen::MatrixXd slopes() const;
 

@@ -103,7 +103,8 @@ Float SlipField::strain(const Float& e) const {
   return sum;
 }
 
-/// The loads at the rule's nodes. The panel with e has the nodes of both its sides of e, as potentials are logarithmic.
+/// The loads lie at the rule's nodes on each panel. The panel with e is split at e, as potentials are logarithmic
+/// there.
 void SlipField::for_loads(const Float& e, const UseLoad& use) const {
   const ZoneGrid& grid = contact_->grid();
   const ZonePanels& panels = contact_->panels();

@@ -73,7 +73,8 @@ class SlipField {
   [[nodiscard]] OfBoth<Float> tractions(const ContactPoint& point, const OfBoth<Float>& remainders) const;
   [[nodiscard]] Float strain_at(const Place& place, const PointSums& sums,
                                 const OfBoth<Float>& remainders) const;
-  /// Uses line loads: sums over them are integrals of p and q times kernels that are singular at e.
+  /// Is called with a line load at `from`. Sums over the line loads of for_loads() are integrals of p and q times
+  /// kernels that are singular at e.
   using UseLoad = std::function<void(const Float& from, const Float& pressed, const Float& sheared)>;
   void for_loads(const Float& e, const UseLoad& use) const;
   /// The displacement up to a constant.

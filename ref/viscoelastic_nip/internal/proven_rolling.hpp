@@ -22,8 +22,8 @@ std::optional<ProvenMemories> proven_memories(const data::ViscoelasticNip& nip);
 /// working precision. Nothing if that takes too many points. Proven: ref/viscoelastic_nip/README.md, Rolling contacts.
 std::optional<ProvenContact> proven_rolling(const ProvenMemories& memories, const Interval& half_length,
                                             int digits);
-/// The contact that carries a load, as contacts a little shorter and longer are proven to carry less and more. `near`
-/// is the half length to some ten digits, `growth` is d ln W/d ln A.
+/// The contact that carries a load: contacts a little shorter and longer are proven to carry less and more. `near` is
+/// the half length to some ten digits, `growth` is d ln W/d ln A.
 std::optional<ProvenContact> proven_rolling_for_load(const ProvenMemories& memories, const Exact& load,
                                                      const Float& near, const Float& growth, int digits);
 /// The working precision that these proofs need, in digits.

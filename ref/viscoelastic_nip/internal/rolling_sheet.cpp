@@ -204,8 +204,7 @@ class RollingSolution : public NipSolution {
     moment_ = 2 * tractions_.moment().cwiseProduct(odd).sum();
   }
 
-  /// dW/dA has the product of both ends' coefficients: the contact rolling the other way has the same load, swapped
-  /// ends.
+  /// dW/dA has the product of both ends' coefficients: the same load rolls the other way with the ends exchanged.
   [[nodiscard]] Float growth() const override {
     const Float leading = tractions_.at_root(leading_).pressure,
                 trailing = tractions_.at_root(trailing_).pressure;

@@ -32,7 +32,7 @@ struct RollingSheet : NipSheet {
   /// The panels at an end are so narrow that e^(-r_i x) and e^(-s_j x) change little on them.
   [[nodiscard]] Resolution resolution() const override;
   [[nodiscard]] int unknowns(int terms) const override;
-  /// Digits are lost if memories make the sheet far softer than it is at once; a fluid flows over a half-thickness.
+  /// Digits lost if memories make the sheet far softer than it is at once; a fluid's flow counts over a half-thickness.
   [[nodiscard]] int lost_digits() const override;
   /// BadInput unless relaxation lengths are from 1e-8 to 1e8 contacts.
   void check(double half_length) const override;
