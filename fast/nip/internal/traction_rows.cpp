@@ -22,8 +22,8 @@ constexpr int most_points = 64, most_points_within = 256;
 
 /// The distances from the start of exponentials with these rates at which an integral over them is cut into pieces. Up
 /// to a few lengths 1/|rate| the integrand is analytic. Where an exponential has decayed, the integrand falls like a
-/// power; the rule resolves a power over a factor of 150 in the distance. An exponential that oscillates counts until
-/// it has decayed relative to its size at the distance `nearest`, which is that of the contact.
+/// power. Over a factor of 150 in the distance the rule resolves a power, but not an exponential. An exponential that
+/// oscillates counts until it has decayed relative to its size at the distance `nearest`, that of the contact.
 std::vector<double> cuts(const std::vector<Complex>& rates, double nearest, double farthest) {
   constexpr double few_lengths = 6, radians = 20, resolved_ratio = 150;
   std::vector<double> result;
@@ -107,7 +107,7 @@ std::shared_ptr<const GaussRule> cached_gauss(double degree, double tolerance) {
   return rules.at(4 * static_cast<int>(std::ceil(nodes / 4)));
 }
 
-/// The double-exponential rule for a polynomial of the degree, which is rounded up so that few rules are cached.
+/// The double-exponential rule for a polynomial of the degree, up to the next multiple of eight so that few are cached.
 std::shared_ptr<const std::vector<UnitNode>> cached_rule(double tolerance, double degree) {
   using Key = std::pair<double, int>;
   static Cache<Key, std::vector<UnitNode>> rules(

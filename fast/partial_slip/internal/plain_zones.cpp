@@ -121,8 +121,9 @@ class Elements {
   /// A creep at which all elements slip one way.
   [[nodiscard]] double most_creep() const { return 8 * (1 + task_.friction) * length_; }
 
-  /// Newton's method in a bracket for the creep of the given traction, which grows with the creep, linearly as long as
-  /// the signs stay. Elements may have several states at one creep and none with this traction; the nearest is taken.
+  /// Newton's method in a bracket for the creep of the given traction. The traction grows with the creep, from sliding
+  /// one way to sliding the other, linearly as long as the signs stay. Elements may have several states at one creep
+  /// and none with this traction; the nearest state is the result.
   bool settles_for_traction() {
     if (!settles_anyhow()) return false;
     double most = most_creep(), least = -most;
