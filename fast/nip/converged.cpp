@@ -18,15 +18,15 @@ struct ConvergedNip::Implementation {
   ContactUnits units;
   double roller_radius;
   SolvedNip solved;
-  std::optional<double> given_length;                                          ///< unit of length
-  mutable std::map<double, std::vector<SolvedNip::InBoth>> places_along = {};  ///< along() by Y
-  mutable std::optional<SolvedNip::InBoth> mean_strain = {};
+  std::optional<double> given_length;                                                ///< unit of length
+  mutable std::map<double, std::vector<SolvedNip::InBoth>> kept_along_surface = {};  ///< by Y
+  mutable std::optional<SolvedNip::InBoth> kept_creep_ratio = {};
   mutable std::optional<Estimate> kept_offset = {};
 
   /// Drops what is cached of the solution.
   void forget() {
-    places_along = {};
-    mean_strain.reset();
+    kept_along_surface = {};
+    kept_creep_ratio.reset();
     kept_offset.reset();
   }
   [[nodiscard]] const NipEquations& equations() const { return solved.equations(); }
@@ -71,7 +71,7 @@ struct ConvergedNip::Implementation {
     if (!(here.e > 0)) return 0;
     const std::complex<double> g = solved.traction(here.e);
     const double odd = here.trailing ? -g.imag() : g.imag();
-    if (!equations().grips()) return g.real() + odd;
+    if (!equations().sticks()) return g.real() + odd;
     return component == TractionComponent::pressure ? g.real() : odd;
   }
   /// u of the roller in the contact, and at an end.
@@ -85,24 +85,24 @@ struct ConvergedNip::Implementation {
       return equations().end_displacement(solution, trailing);
     }));
   }
-  [[nodiscard]] const SolvedNip::InBoth& creep() const {
-    if (!mean_strain) {
-      mean_strain = solved.in_both([&](const Solution& solution) {
+  [[nodiscard]] const SolvedNip::InBoth& creep_ratio() const {
+    if (!kept_creep_ratio) {
+      kept_creep_ratio = solved.in_both([&](const Solution& solution) {
         CountedKernels kernels = solved.kernels();
-        return equations().creep(solution, kernels);
+        return equations().creep_ratio(solution, kernels);
       });
     }
-    return *mean_strain;
+    return *kept_creep_ratio;
   }
   /// v and, without friction, v' at a place.
-  [[nodiscard]] const std::vector<SolvedNip::InBoth>& along(double y) const {
+  [[nodiscard]] const std::vector<SolvedNip::InBoth>& along_surface(double y) const {
     const ContactPlace place = place_of(y);
-    if (const auto kept = places_along.find(y); kept != places_along.end()) return kept->second;
+    if (const auto kept = kept_along_surface.find(y); kept != kept_along_surface.end()) return kept->second;
     CountedKernels kernels = solved.kernels();
-    return places_along[y] = at_place(place, [&](const Solution& solution, const ContactPlace& there) {
-             SurfaceAlong at = equations().along(solution, there, kernels);
+    return kept_along_surface[y] = at_place(place, [&](const Solution& solution, const ContactPlace& there) {
+             AlongSurface at = equations().along_surface(solution, there, kernels);
              std::vector numbers{std::move(at.displacement)};
-             if (!equations().grips()) numbers.push_back(std::move(at.strain));
+             if (!equations().sticks()) numbers.push_back(std::move(at.strain));
              return numbers;
            });
   }
@@ -116,7 +116,7 @@ struct ConvergedNip::Implementation {
   /// The positions, rising, between which maxima and zeros of tractions are sought, in a symmetric contact those >= 0.
   /// With full friction they become dense towards the end.
   [[nodiscard]] std::vector<double> places() const {
-    std::vector<double> result = equations().grips() ? places_towards_end() : places_on_panels();
+    std::vector<double> result = equations().sticks() ? places_towards_end() : places_on_panels();
     std::ranges::sort(result);
     // Places from panels and layers may coincide; between coinciding places the pressure would look constant.
     const auto coincide = [&](double left, double right) {
@@ -208,7 +208,7 @@ struct ConvergedNip::Implementation {
     return times(units.length, position);
   }
   void check_shears() const {
-    if (!equations().grips())
+    if (!equations().sticks())
       throw data::BadInput("friction", "none", "must be full for places of the shear: there is none");
   }
 };
@@ -249,14 +249,14 @@ Estimate ConvergedNip::pressure(double y) const {
 Estimate ConvergedNip::shear(double y) const {
   const ContactPlace place = nip_->place_of(y);
   // In the middle the shear is 0, because it is odd.
-  if (!nip_->equations().grips() || y == 0) return {0, 0};
+  if (!nip_->equations().sticks() || y == 0) return {0, 0};
   return times(nip_->units.pressure, nip_->traction(TractionComponent::shear, place));
 }
 
 Estimate ConvergedNip::peak_pressure() const { return nip_->peak(TractionComponent::pressure); }
 
 Estimate ConvergedNip::peak_shear() const {
-  if (!nip_->equations().grips()) return {0, 0};
+  if (!nip_->equations().sticks()) return {0, 0};
   return nip_->peak(TractionComponent::shear);
 }
 
@@ -289,7 +289,7 @@ Estimate ConvergedNip::rolling_resistance() const {
 }
 
 Estimate ConvergedNip::creep_ratio() const {
-  return times(nip_->units.creep, nip_->solved.estimate(nip_->creep()));
+  return times(nip_->units.creep, nip_->solved.estimate(nip_->creep_ratio()));
 }
 
 Estimate ConvergedNip::normal_displacement(double y) const {
@@ -297,7 +297,7 @@ Estimate ConvergedNip::normal_displacement(double y) const {
   if (place.e >= 0) return nip_->roller_displacement(y / nip_->units.length);
   const auto at = [&](const Solution& solution, const ContactPlace& there) {
     CountedKernels kernels = nip_->solved.kernels();
-    return std::vector{nip_->equations().normal(solution, there, kernels)};
+    return std::vector{nip_->equations().normal_displacement(solution, there, kernels)};
   };
   return times(nip_->units.displacement, nip_->solved.estimate(nip_->at_place(place, at).front()));
 }
@@ -306,14 +306,15 @@ Estimate ConvergedNip::tangential_displacement(double y) const {
   const ContactPlace place = nip_->place_of(y);
   if (y == 0) return {0, 0};
   const double unit = nip_->units.creep * nip_->units.length;
-  if (nip_->equations().grips() && place.e >= 0) return times(y, creep_ratio());
-  const SolvedNip::InBoth& displacement = nip_->along(y)[0];
+  if (nip_->equations().sticks() && place.e >= 0) return times(y, creep_ratio());
+  const SolvedNip::InBoth& displacement = nip_->along_surface(y)[0];
   if (nip_->is_symmetric()) return times(unit, nip_->solved.estimate(displacement));
-  return times(unit, nip_->solved.estimate(displacement - nip_->along(0)[0]));
+  return times(unit, nip_->solved.estimate(displacement - nip_->along_surface(0)[0]));
 }
 
 Estimate ConvergedNip::surface_strain(double y) const {
-  if (!nip_->equations().grips()) return times(nip_->units.creep, nip_->solved.estimate(nip_->along(y)[1]));
+  if (!nip_->equations().sticks())
+    return times(nip_->units.creep, nip_->solved.estimate(nip_->along_surface(y)[1]));
   const ContactPlace place = nip_->place_of(y);
   if (place.e < 0) return times(nip_->units.creep / 2, nip_->field().at({place, 1, false}).along);
   Estimate creep = creep_ratio();
@@ -325,8 +326,8 @@ Estimate ConvergedNip::surface_strain(double y) const {
 }
 
 Estimate ConvergedNip::slip(double y) const {
-  if (!nip_->equations().grips())
-    return times(nip_->units.creep, nip_->solved.estimate(nip_->along(y)[1] - nip_->creep()));
+  if (!nip_->equations().sticks())
+    return times(nip_->units.creep, nip_->solved.estimate(nip_->along_surface(y)[1] - nip_->creep_ratio()));
   if (nip_->place_of(y).e >= nip_->unsure_end()) return {0, 0};
   const Estimate strain = surface_strain(y), creep = creep_ratio();
   return {strain.value - creep.value, strain.error + creep.error};

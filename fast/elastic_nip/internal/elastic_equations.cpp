@@ -21,8 +21,8 @@ double nonlocal_strain(double alpha) { return sheet_stresses(alpha, 1, data::She
 /// The effect of an end fades like e^(-decay e). Without friction the kernel's transform 2 sinh^2 k/(k (sinh 2k + 2k))
 /// is 0 at k = pi i. With full friction the determinant of the transforms is 0 if a sheet with clamped faces has a free
 /// field: (3 - 4 poisson) sinh 2k = 2k, at k = i decay with 0 <= 2 decay < pi.
-double decay_of_ends(bool grips, double poisson) {
-  if (!grips) return pi;
+double decay_of_ends(bool sticks, double poisson) {
+  if (!sticks) return pi;
   const double ratio = 1 / (3 - 4 * poisson);
   return internal::last_that([&](double x) { return std::sin(x) >= ratio * x; }, 0.0, pi) / 2;
 }
@@ -30,11 +30,11 @@ double decay_of_ends(bool grips, double poisson) {
 }  // namespace
 
 ElasticEquations::ElasticEquations(data::Friction friction, double poisson)
-    : grips_(friction == data::Friction::full),
+    : sticks_(friction == data::Friction::full),
       beta_((1 - 2 * poisson) / (2 * (1 - poisson))),
-      decay_(decay_of_ends(grips_, poisson)) {}
+      decay_(decay_of_ends(sticks_, poisson)) {}
 
-Resolution ElasticEquations::resolution(double nats) const { return {nats, decay_, grips_ ? 5 : 2, {}}; }
+Resolution ElasticEquations::resolution(double nats) const { return {nats, decay_, sticks_ ? 5 : 2, {}}; }
 
 RowVectorXd ElasticEquations::coupling(Alphas alpha, CountedKernels& kernels) const {
   RowVectorXd values = kernels.I3(alpha);
@@ -57,7 +57,7 @@ Tractions::Kernel ElasticEquations::along_kernel(CountedKernels& kernels) const 
 }
 
 Tractions::SplitKernel ElasticEquations::matching(CountedKernels& kernels) const {
-  if (!grips_) return frictionless_kernel(kernels);
+  if (!sticks_) return frictionless_kernel(kernels);
   const auto both = [](const RowVectorXd& i1, const RowVectorXd& i3, const RowVectorXd& i6, MatrixXd& on_p,
                        MatrixXd& on_q) {
     on_p.resize(2, i1.size());
@@ -80,8 +80,8 @@ Tractions::SplitKernel ElasticEquations::matching(CountedKernels& kernels) const
 
 Solution ElasticEquations::solve(double half_length, const std::vector<Panel>& panels, double tolerance,
                                  CountedKernels& kernels) const {
-  Tractions tractions(half_length, panels, grips_, {0.5, grips_ ? -std::atanh(beta_) / pi : 0});
-  const int each = grips_ ? 2 : 1;
+  Tractions tractions(half_length, panels, sticks_, {0.5, sticks_ ? -std::atanh(beta_) / pi : 0});
+  const int each = sticks_ ? 2 : 1;
   auto [points, of_tractions, sizes] = tractions.matching_rows(matching(kernels), tolerance);
   Equations equations(std::move(of_tractions), std::move(sizes), each, 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -89,7 +89,7 @@ Solution ElasticEquations::solve(double half_length, const std::vector<Panel>& p
     const auto row = static_cast<Eigen::Index>(i) * each;
     equations.on_unknowns(row, edge_displacement) = -1;
     equations.right(row) = e * (2 * half_length - e);
-    if (grips_) equations.on_unknowns(row + 1, creep_ratio) = -(half_length - e);
+    if (sticks_) equations.on_unknowns(row + 1, creep) = -(half_length - e);
   }
   return {std::move(tractions), equations};
 }
@@ -97,7 +97,7 @@ Solution ElasticEquations::solve(double half_length, const std::vector<Panel>& p
 std::vector<AccuracyTarget> ElasticEquations::accuracy_targets(const Solution& solution) const {
   const double half_length = solution.half_length();
   std::vector<AccuracyTarget> targets{{solution.of_unknown(edge_displacement), half_length * half_length}};
-  if (grips_) targets.push_back({solution.of_unknown(creep_ratio), half_length});
+  if (sticks_) targets.push_back({solution.of_unknown(creep), half_length});
   return targets;
 }
 
@@ -113,37 +113,37 @@ Functional ElasticEquations::end_displacement(const Solution& solution, bool /*t
 
 /// The rows of a kernel's functionals at a place, or at its mirror image if it is on the trailing half.
 static MatrixXd acting(const Solution& solution, const Tractions::Kernel& kernel, const ContactPlace& place) {
-  return solution.tractions().rows(place.in(solution).e, false, kernel, quadrature_tolerance);
+  return solution.tractions().rows(place.from_nearer_end_of(solution).e, false, kernel, quadrature_tolerance);
 }
 
 double ElasticEquations::cancelling_sides(const Solution& solution) const {
   return (0.25 + std::fabs(beta_) / 2) * solution.carried_load();
 }
 
-Functional ElasticEquations::normal(const Solution& solution, const ContactPlace& place,
-                                    CountedKernels& kernels) const {
+Functional ElasticEquations::normal_displacement(const Solution& solution, const ContactPlace& place,
+                                                 CountedKernels& kernels) const {
   Functional displacement = solution.of_tractions(acting(solution, matching(kernels).whole, place).row(0));
-  displacement.cancelled = std::pow(solution.half_length(), 2) + (grips_ ? cancelling_sides(solution) : 0);
+  displacement.cancelled = std::pow(solution.half_length(), 2) + (sticks_ ? cancelling_sides(solution) : 0);
   return displacement;
 }
 
-SurfaceAlong ElasticEquations::along(const Solution& solution, const ContactPlace& place,
-                                     CountedKernels& kernels) const {
-  const MatrixXd rows = acting(solution, grips_ ? matching(kernels).whole : along_kernel(kernels), place);
+AlongSurface ElasticEquations::along_surface(const Solution& solution, const ContactPlace& place,
+                                             CountedKernels& kernels) const {
+  const MatrixXd rows = acting(solution, sticks_ ? matching(kernels).whole : along_kernel(kernels), place);
   // The displacement is odd.
-  const double sign = place.in(solution).trailing ? -1 : 1;
-  Functional displacement = solution.of_tractions(sign * rows.row(grips_ ? 1 : 0));
+  const double sign = place.from_nearer_end_of(solution).trailing ? -1 : 1;
+  Functional displacement = solution.of_tractions(sign * rows.row(sticks_ ? 1 : 0));
   displacement.cancelled = cancelling_sides(solution);
-  if (grips_) return {displacement, {}};
+  if (sticks_) return {displacement, {}};
   Functional strain = solution.of_tractions(rows.row(1));
   strain.cancelled = solution.traction(solution.half_length()).real();
   strain.on_tractions -= beta_ * traction(solution, TractionComponent::pressure, place).on_tractions;
   return {displacement, strain};
 }
 
-Functional ElasticEquations::creep(const Solution& solution, CountedKernels& kernels) const {
-  if (grips_) return solution.of_unknown(creep_ratio);
-  return 1 / solution.half_length() * along(solution, {false, 0}, kernels).displacement;
+Functional ElasticEquations::creep_ratio(const Solution& solution, CountedKernels& kernels) const {
+  if (sticks_) return solution.of_unknown(creep);
+  return 1 / solution.half_length() * along_surface(solution, {false, 0}, kernels).displacement;
 }
 
 }  // namespace nipref::fast

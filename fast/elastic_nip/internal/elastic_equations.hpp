@@ -12,20 +12,20 @@ class ElasticEquations : public NipEquations {
  public:
   ElasticEquations(data::Friction friction, double poisson);
 
-  static constexpr int edge_displacement = 0, creep_ratio = 1;  ///< numbers of the unknowns
+  static constexpr int edge_displacement = 0, creep = 1;  ///< numbers of the unknowns
   [[nodiscard]] Resolution resolution(double nats) const override;
   [[nodiscard]] Solution solve(double half_length, const std::vector<Panel>& panels, double tolerance,
                                CountedKernels& kernels) const override;
   [[nodiscard]] std::vector<AccuracyTarget> accuracy_targets(const Solution& solution) const override;
 
-  [[nodiscard]] bool grips() const override { return grips_; }
+  [[nodiscard]] bool sticks() const override { return sticks_; }
   [[nodiscard]] Functional roller_displacement(const Solution& solution, double y) const override;
   [[nodiscard]] Functional end_displacement(const Solution& solution, bool trailing) const override;
-  [[nodiscard]] Functional normal(const Solution& solution, const ContactPlace& place,
-                                  CountedKernels& kernels) const override;
-  [[nodiscard]] SurfaceAlong along(const Solution& solution, const ContactPlace& place,
-                                   CountedKernels& kernels) const override;
-  [[nodiscard]] Functional creep(const Solution& solution, CountedKernels& kernels) const override;
+  [[nodiscard]] Functional normal_displacement(const Solution& solution, const ContactPlace& place,
+                                               CountedKernels& kernels) const override;
+  [[nodiscard]] AlongSurface along_surface(const Solution& solution, const ContactPlace& place,
+                                           CountedKernels& kernels) const override;
+  [[nodiscard]] Functional creep_ratio(const Solution& solution, CountedKernels& kernels) const override;
   [[nodiscard]] std::optional<internal::Shares> shares() const override { return {{1 - beta_, beta_}}; }
 
  private:
@@ -39,7 +39,7 @@ class ElasticEquations : public NipEquations {
   /// The size of the contributions from both sides of a place, which cancel: the coupling is at most 1/4 + beta/2.
   [[nodiscard]] double cancelling_sides(const Solution& solution) const;
 
-  bool grips_;
+  bool sticks_;
   double beta_;  ///< theta2/N
   double decay_;
 };

@@ -15,18 +15,18 @@ using internal::StressesAtDepth;
 
 /// The kernel of the numbers that `field` has at alpha under each load. Without shear both parts of g are pressure.
 template <int count, class Field>
-Tractions::Kernel kernel_of(const Field& field, bool grips, const auto& numbers_of) {
+Tractions::Kernel kernel_of(const Field& field, bool sticks, const auto& numbers_of) {
   Tractions::Kernel kernel;
   kernel.functionals = count;
-  kernel.at = [field, grips, numbers_of](std::span<const double> alpha, Eigen::MatrixXd& on_p,
-                                         Eigen::MatrixXd& on_q) {
+  kernel.at = [field, sticks, numbers_of](std::span<const double> alpha, Eigen::MatrixXd& on_p,
+                                          Eigen::MatrixXd& on_q) {
     on_p.resize(count, static_cast<Eigen::Index>(alpha.size()));
     on_q.resizeLike(on_p);
     for (std::size_t i = 0; i < alpha.size(); ++i) {
       const auto column = static_cast<Eigen::Index>(i);
-      const auto [normal, shear] = field.at(alpha[i], grips);
+      const auto [normal, shear] = field.at(alpha[i], sticks);
       on_p.col(column) = numbers_of(normal);
-      on_q.col(column) = numbers_of(grips ? shear : normal);
+      on_q.col(column) = numbers_of(sticks ? shear : normal);
     }
   };
   return kernel;
@@ -53,8 +53,8 @@ double reach_of_displacements(double half_length) {
 }
 /// The integral of the magnitude of a stress kernel over the contact. Under pressure it is at most 4/pi for both faces
 /// together. Under shear the stress along the sheet falls like 1/alpha beyond the `distance` from the loads.
-double size_of_stresses(double half_length, double distance, bool grips) {
-  const double logarithm = grips ? std::log1p(std::pow(2 * half_length / distance, 2)) : 0;
+double size_of_stresses(double half_length, double distance, bool sticks) {
+  const double logarithm = sticks ? std::log1p(std::pow(2 * half_length / distance, 2)) : 0;
   return 4 * std::numbers::inv_pi * (1 + logarithm);
 }
 
@@ -81,35 +81,35 @@ Estimate InnerStresses::lowest() const {
 }
 
 Tractions::Kernel InnerField::stress_kernel(double depth) const {
-  const bool on_face = std::fabs(depth) == 1, grips = equations_.grips();
-  Tractions::Kernel kernel = kernel_of<3>(StressesAtDepth(depth), grips, [](const SheetStresses& s) {
+  const bool on_face = std::fabs(depth) == 1, sticks = equations_.sticks();
+  Tractions::Kernel kernel = kernel_of<3>(StressesAtDepth(depth), sticks, [](const SheetStresses& s) {
     return Eigen::Vector3d(s.across, s.along, s.shear);
   });
   // Far away a shear load pulls one half of the sheet and presses on the other.
   using enum Tractions::Kernel::FarAway;
-  kernel.beyond_reach = grips ? constant : negligible;
+  kernel.beyond_reach = sticks ? constant : negligible;
   // On a face the kernel of the pressure has only the poles of the load on the other face.
-  kernel.poles = on_face && !grips ? 2 : 1 - std::fabs(depth);
-  kernel.is_regular = !on_face || !grips;
+  kernel.poles = on_face && !sticks ? 2 : 1 - std::fabs(depth);
+  kernel.is_regular = !on_face || !sticks;
   return kernel;
 }
 
 std::vector<Functional> InnerField::stresses(const Solution& solution, const ContactPlace& where,
                                              double depth, const Tractions::Kernel& kernel,
                                              double tolerance) const {
-  const ContactPlace place = where.in(solution);
+  const ContactPlace place = where.from_nearer_end_of(solution);
   const auto acting = [&] {
     const double distance = std::hypot(1 - std::fabs(depth), std::max(-place.e, 0.0));
     return functionals_of(solution, place, kernel, tolerance,
-                          size_of_stresses(solution.half_length(), distance, equations_.grips()));
+                          size_of_stresses(solution.half_length(), distance, equations_.sticks()));
   };
   if (std::fabs(depth) < 1) return acting();
   const Functional pressure = equations_.traction(solution, TractionComponent::pressure, place);
-  if (!equations_.grips()) return {-1 * pressure, acting()[1] - pressure, 0 * pressure};
+  if (!equations_.sticks()) return {-1 * pressure, acting()[1] - pressure, 0 * pressure};
   if (place.e < 0) return {-1 * pressure, acting()[1], 0 * pressure};
   CountedKernels kernels = nip_.kernels();
   const auto [theta1, theta2] = *equations_.shares();
-  return {-1 * pressure, 2 * equations_.creep(solution, kernels) - (theta1 - theta2) * pressure,
+  return {-1 * pressure, 2 * equations_.creep_ratio(solution, kernels) - (theta1 - theta2) * pressure,
           depth * equations_.traction(solution, TractionComponent::shear, place)};
 }
 
@@ -145,11 +145,11 @@ InnerDisplacements InnerField::from_face(const SheetPoint& point, const internal
   const double depth = std::fabs(point.depth);
   if (depth == 1) return {{0, 0}, {0, 0}};
   Tractions::Kernel kernel =
-      kernel_of<2>(DisplacementsFromFace(depth, share), equations_.grips(),
+      kernel_of<2>(DisplacementsFromFace(depth, share), equations_.sticks(),
                    [](const internal::FromFace& f) { return Eigen::Vector2d(-f.u, f.v); });
   kernel.poles = 1 - depth;
   const auto all = estimates(point.place, [&](const Solution& solution, const ContactPlace& place) {
-    return functionals_of(solution, place.in(solution), kernel, quadrature_tolerance,
+    return functionals_of(solution, place.from_nearer_end_of(solution), kernel, quadrature_tolerance,
                           roundings * reach_of_displacements(solution.half_length()));
   });
   return {depth == 0 ? Estimate{0, 0} : all[0], point.is_middle ? Estimate{0, 0} : all[1]};

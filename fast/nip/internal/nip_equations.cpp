@@ -14,7 +14,7 @@ constexpr double part_that_softens = 0.47;
 
 }  // namespace
 
-ContactPlace ContactPlace::in(const Solution& solution) const {
+ContactPlace ContactPlace::from_nearer_end_of(const Solution& solution) const {
   if (e <= solution.half_length()) return *this;
   return {!trailing, std::max(0.0, 2 * solution.half_length() - e)};
 }
@@ -22,10 +22,10 @@ ContactPlace ContactPlace::in(const Solution& solution) const {
 Functional NipEquations::traction(const Solution& solution, TractionComponent component,
                                   const ContactPlace& place) const {
   if (!(place.e > 0)) return solution.of_tractions(Eigen::RowVectorXd::Zero(solution.tractions().columns()));
-  const auto [trailing, e] = place.in(solution);
+  const auto [trailing, e] = place.from_nearer_end_of(solution);
   Eigen::MatrixXd both = solution.tractions().values(e);
   if (trailing) both.row(1) *= -1;
-  if (!grips()) return solution.of_tractions(both.colwise().sum());
+  if (!sticks()) return solution.of_tractions(both.colwise().sum());
   return solution.of_tractions(both.row(component == TractionComponent::pressure ? 0 : 1));
 }
 

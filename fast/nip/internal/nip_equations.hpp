@@ -23,15 +23,15 @@ struct ContactPlace {
   bool trailing;
   double e;
 
-  /// The place in the contact of a solution. If it is beyond the middle of that contact, it is on the other half.
-  [[nodiscard]] ContactPlace in(const Solution& solution) const;
+  /// The place in a solution's contact. If it is beyond the middle of that contact, it is on the other half.
+  [[nodiscard]] ContactPlace from_nearer_end_of(const Solution& solution) const;
 };
 
 enum class TractionComponent { pressure, shear };
 
 /// v at a place of the surface, up to a constant that is 0 in a symmetric contact, and v'. With full friction v' is
 /// empty: it is the creep ratio in the contact, and outside it follows from the stress.
-struct SurfaceAlong {
+struct AlongSurface {
   Functional displacement, strain;
 };
 
@@ -57,7 +57,7 @@ class NipEquations {
   virtual void check(double /*half_length*/) const {}
 
   /// Whether the surface sticks, so that the shear is unknown, too.
-  [[nodiscard]] virtual bool grips() const { return false; }
+  [[nodiscard]] virtual bool sticks() const { return false; }
   /// The number of the unknown that is the place of the contact's middle; a contact without it is symmetric.
   [[nodiscard]] virtual std::optional<int> offset_unknown() const { return {}; }
   /// A traction, 0 outside the contact.
@@ -69,12 +69,12 @@ class NipEquations {
   /// The distance of the pressure's resultant from the line through the centres, of a contact that is not symmetric:
   /// offset + int y p dy/load.
   [[nodiscard]] Functional eccentricity(const Solution& solution) const;
-  /// u; v and v'; and the mean of v' over the contact, which is the creep ratio.
-  [[nodiscard]] virtual Functional normal(const Solution& solution, const ContactPlace& place,
-                                          CountedKernels& kernels) const = 0;
-  [[nodiscard]] virtual SurfaceAlong along(const Solution& solution, const ContactPlace& place,
-                                           CountedKernels& kernels) const = 0;
-  [[nodiscard]] virtual Functional creep(const Solution& solution, CountedKernels& kernels) const = 0;
+  /// u at a place; v and v' there; and the creep ratio, the mean of v' over the contact.
+  [[nodiscard]] virtual Functional normal_displacement(const Solution& solution, const ContactPlace& place,
+                                                       CountedKernels& kernels) const = 0;
+  [[nodiscard]] virtual AlongSurface along_surface(const Solution& solution, const ContactPlace& place,
+                                                   CountedKernels& kernels) const = 0;
+  [[nodiscard]] virtual Functional creep_ratio(const Solution& solution, CountedKernels& kernels) const = 0;
   /// The shares of theta1 and theta2 in N of an elastic sheet; nothing in rolling.
   [[nodiscard]] virtual std::optional<internal::Shares> shares() const { return {}; }
 };

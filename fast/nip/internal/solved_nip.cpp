@@ -199,7 +199,7 @@ SolvedNip::Shortfall SolvedNip::shortfall() const {
       targets.push_back({equations_->traction(last(), component, {trailing, at}), middle});
     };
     add(TractionComponent::pressure, false);
-    if (equations_->grips()) add(TractionComponent::shear, false);
+    if (equations_->sticks()) add(TractionComponent::shear, false);
     if (equations_->offset_unknown()) add(TractionComponent::pressure, true);
   }
   Shortfall largest{0, 0};

@@ -308,7 +308,7 @@ namespace {
 /// The functionals of a kernel in which each functional is followed by the size of its parts.
 std::vector<Functional> acting(const Solution& solution, const Tractions::Kernel& kernel,
                                const ContactPlace& place) {
-  const auto [trailing, e] = place.in(solution);
+  const auto [trailing, e] = place.from_nearer_end_of(solution);
   const Eigen::MatrixXd rows = solution.tractions().rows(e, trailing, kernel, quadrature_tolerance);
   std::vector<Functional> result;
   for (Eigen::Index i = 0; i < rows.rows(); i += 2) {
@@ -320,14 +320,14 @@ std::vector<Functional> acting(const Solution& solution, const Tractions::Kernel
 
 }  // namespace
 
-Functional RollingEquations::normal(const Solution& solution, const ContactPlace& place,
-                                    CountedKernels& /*kernels*/) const {
+Functional RollingEquations::normal_displacement(const Solution& solution, const ContactPlace& place,
+                                                 CountedKernels& /*kernels*/) const {
   return acting(solution, kernels_.normal(), place).front();
 }
 
 /// The displacement is relative to that far ahead.
-SurfaceAlong RollingEquations::along(const Solution& solution, const ContactPlace& place,
-                                     CountedKernels& /*kernels*/) const {
+AlongSurface RollingEquations::along_surface(const Solution& solution, const ContactPlace& place,
+                                             CountedKernels& /*kernels*/) const {
   std::vector<Functional> both = acting(solution, kernels_.along(), place);
   const Functional pressure = traction(solution, TractionComponent::pressure, place);
   both[1].on_tractions -= sheet_.theta2_at_once * pressure.on_tractions;
@@ -335,10 +335,10 @@ SurfaceAlong RollingEquations::along(const Solution& solution, const ContactPlac
   return {std::move(both[0]), std::move(both[1])};
 }
 
-Functional RollingEquations::creep(const Solution& solution, CountedKernels& kernels) const {
+Functional RollingEquations::creep_ratio(const Solution& solution, CountedKernels& kernels) const {
   return 0.5 / solution.half_length() *
-         (along(solution, {false, 0}, kernels).displacement -
-          along(solution, {true, 0}, kernels).displacement);
+         (along_surface(solution, {false, 0}, kernels).displacement -
+          along_surface(solution, {true, 0}, kernels).displacement);
 }
 
 }  // namespace nipref::fast

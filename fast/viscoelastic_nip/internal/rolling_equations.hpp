@@ -51,11 +51,11 @@ class RollingEquations : public NipEquations {
   [[nodiscard]] std::optional<int> offset_unknown() const override { return offset; }
   [[nodiscard]] Functional roller_displacement(const Solution& solution, double y) const override;
   [[nodiscard]] Functional end_displacement(const Solution& solution, bool trailing) const override;
-  [[nodiscard]] Functional normal(const Solution& solution, const ContactPlace& place,
-                                  CountedKernels& kernels) const override;
-  [[nodiscard]] SurfaceAlong along(const Solution& solution, const ContactPlace& place,
-                                   CountedKernels& kernels) const override;
-  [[nodiscard]] Functional creep(const Solution& solution, CountedKernels& kernels) const override;
+  [[nodiscard]] Functional normal_displacement(const Solution& solution, const ContactPlace& place,
+                                               CountedKernels& kernels) const override;
+  [[nodiscard]] AlongSurface along_surface(const Solution& solution, const ContactPlace& place,
+                                           CountedKernels& kernels) const override;
+  [[nodiscard]] Functional creep_ratio(const Solution& solution, CountedKernels& kernels) const override;
 
  private:
   using Sized = internal::Sized<double>;

@@ -41,12 +41,13 @@ TEST_CASE("between its matching points a solution satisfies its equations") {
         const double depth = edge + half_length * half_length, peak = solution.traction(half_length).real();
         for (const double x : {1e-3, 0.0371, 0.217, 0.63, 0.971}) {
           const double e = x * half_length;
-          CHECK(std::fabs(solution.value(equations->normal(solution, {false, e}, kernels)) -
+          CHECK(std::fabs(solution.value(equations->normal_displacement(solution, {false, e}, kernels)) -
                           (edge + e * (2 * half_length - e))) < 1e-11 * (depth + peak));
           if (friction == Friction::full) {
-            const double creep = solution.unknown(fast::ElasticEquations::creep_ratio);
-            CHECK(std::fabs(solution.value(equations->along(solution, {false, e}, kernels).displacement) -
-                            creep * (half_length - e)) < 1e-11 * (depth + peak * half_length));
+            const double creep = solution.unknown(fast::ElasticEquations::creep);
+            CHECK(std::fabs(
+                      solution.value(equations->along_surface(solution, {false, e}, kernels).displacement) -
+                      creep * (half_length - e)) < 1e-11 * (depth + peak * half_length));
           }
         }
       }
