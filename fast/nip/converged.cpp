@@ -358,7 +358,7 @@ std::vector<InnerDisplacements> ConvergedNip::inner_displacements(std::span<cons
 }
 
 GreatestShear ConvergedNip::greatest_shear() const {
-  const auto [value, y, depth] = nip_->field().greatest();
+  const auto [value, y, depth] = nip_->field().greatest_shear();
   return {times(nip_->units.pressure, value), nip_->in_contact({y.value + nip_->offset().value, y.error}),
           depth};
 }

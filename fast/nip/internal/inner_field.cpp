@@ -62,6 +62,21 @@ Estimate mean_of(const InnerStresses& s) {
   return {(s.across.value + s.along.value) / 2, (s.across.error + s.along.error) / 2};
 }
 
+/// A point of the search for the largest shear, y from the contact's middle.
+struct SearchPoint {
+  double y, depth;
+};
+constexpr int grid_steps = 24;
+/// Visits the grid on which the search begins, as deep as 2.5 half-lengths. It is denser at the ends, beside which full
+/// friction may cause the largest shear.
+void visit_grid(double half_length, bool is_symmetric, const auto& visit) {
+  const double deepest = std::min(1.0, 2.5 * half_length);
+  for (int i = is_symmetric ? 0 : -grid_steps; i <= grid_steps; ++i) {
+    const double y = half_length * std::sin(std::numbers::pi / 2 * i / grid_steps);
+    for (int j = 0; j <= grid_steps; ++j) visit(SearchPoint{y, 1 - deepest * j / grid_steps});
+  }
+}
+
 }  // namespace
 
 Estimate InnerStresses::maximum_shear() const {
@@ -155,62 +170,51 @@ InnerDisplacements InnerField::from_face(const SheetPoint& point, const internal
   return {depth == 0 ? Estimate{0, 0} : all[0], point.is_middle ? Estimate{0, 0} : all[1]};
 }
 
-GreatestShear InnerField::greatest() const {
+GreatestShear InnerField::greatest_shear() const {
   const double half_length = nip_.half_length(), reach = std::min(1.0, half_length);
   const bool is_symmetric = nip_.is_symmetric();
   constexpr double coarse = 1e-5;
   double tolerance = coarse;
-  struct Point {
-    double y, depth;
-  };
   const auto place_of = [&](double y) { return ContactPlace{y < 0, half_length - std::fabs(y)}; };
-  const auto shear_at = [&](const Point& at) {
+  const auto shear_at = [&](const SearchPoint& at) {
     const Solution& last = nip_.last();
     const auto s = stresses(last, place_of(at.y), at.depth, stress_kernel(at.depth), tolerance);
     return std::hypot((last.value(s[0]) - last.value(s[1])) / 2, last.value(s[2]));
   };
-  Point best{0, 1};
+  SearchPoint best{0, 1};
   double largest = shear_at(best);
-  const auto look = [&](const Point& place) {
-    const double here = shear_at(place);
+  const auto moves_to = [&](const SearchPoint& point) {
+    const double here = shear_at(point);
     if (!(here > largest)) return false;
     largest = here;
-    best = place;
+    best = point;
     return true;
   };
-  // The grid is denser at the ends, beside which full friction may cause the largest shear.
-  constexpr int steps = 24;
-  for (int i = is_symmetric ? 0 : -steps; i <= steps; ++i) {
-    const double y = half_length * std::sin(std::numbers::pi / 2 * i / steps);
-    for (int j = 0; j <= steps; ++j) look({y, 1 - std::min(1.0, 2.5 * reach) * j / steps});
-  }
-  const auto from_end = [&](const Point& place) {
-    return std::hypot(half_length - std::fabs(place.y), 1 - place.depth);
-  };
-  const auto smooth_about = [&](const Point& place) { return std::min(reach, from_end(place)); };
-  double step = reach / steps;
+  visit_grid(half_length, is_symmetric, moves_to);
+  const auto from_end = [&] { return std::hypot(half_length - std::fabs(best.y), 1 - best.depth); };
+  const auto scale = [&] { return std::min(reach, from_end()); };
   // A step changes the shear by about (step/scale)^2. A tolerance of this part of the change shows its sign.
-  const auto look_closer = [&] {
+  const auto resolve = [&](double step) {
     constexpr double telling = 1e-4;
-    tolerance = std::clamp(telling * std::pow(step / smooth_about(best), 2), quadrature_tolerance, coarse);
+    tolerance = std::clamp(telling * std::pow(step / scale(), 2), quadrature_tolerance, coarse);
     largest = shear_at(best);
   };
-  look_closer();
-  while (step > 1e-9 * smooth_about(best) && step > 1e-14 * reach) {
-    const double back = best.y - step;
-    const bool moved =
-        look({best.y + step, best.depth}) || look({is_symmetric ? std::fabs(back) : back, best.depth}) ||
-        look({best.y, std::min(1.0, best.depth + step)}) || look({best.y, std::fabs(best.depth - step)});
+  double step = reach / grid_steps;
+  resolve(step);
+  while (step > 1e-9 * scale() && step > 1e-14 * reach) {
+    const auto [y, depth] = best;
+    const double back = is_symmetric ? std::fabs(y - step) : y - step;
+    const bool moved = moves_to({y + step, depth}) || moves_to({back, depth}) ||
+                       moves_to({y, std::min(1.0, depth + step)}) || moves_to({y, std::fabs(depth - step)});
     if (moved) continue;
     step /= 2;
-    look_closer();
+    resolve(step);
   }
-  const SheetPoint point{place_of(best.y), best.depth, is_symmetric && best.y == 0};
-  const Estimate value = at(point).maximum_shear();
+  const Estimate value = at({place_of(best.y), best.depth, is_symmetric && best.y == 0}).maximum_shear();
   // About its maximum the shear is a parabola. It falls relatively by the square of the distance over that of the
   // maximum from the nearest end, or by a sixteenth of that if the maximum is flat. The search compares rounded shears.
   constexpr double rounded = 0x1p-50;
-  const double unsure = from_end(best) * 4 * std::sqrt(value.error / value.value + rounded);
+  const double unsure = from_end() * 4 * std::sqrt(value.error / value.value + rounded);
   return {value, {best.y, unsure}, {best.depth, unsure}};
 }
 

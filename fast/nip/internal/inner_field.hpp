@@ -34,7 +34,7 @@ class InnerField {
   [[nodiscard]] InnerDisplacements from_face(const SheetPoint& point, const internal::Shares& share) const;
   /// The largest shear and its place, y from the contact's middle, by a grid that scales with the contact and is finer
   /// at its ends, then by ever smaller steps around the best place. In a symmetric contact only y >= 0 is searched.
-  [[nodiscard]] GreatestShear greatest() const;
+  [[nodiscard]] GreatestShear greatest_shear() const;
 
  private:
   [[nodiscard]] std::vector<Estimate> estimates(const ContactPlace& place,
