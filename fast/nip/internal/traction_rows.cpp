@@ -16,23 +16,25 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double decayed = 40;  ///< an exponential that has fallen by so many nats is negligible
-/// The most points of a product rule; if it needs more, other rules need fewer. The first is for a panel beside the
-/// singularity, the second for one on which the kernel is analytic or its logarithm is integrated separately.
-constexpr int most_points = 64, most_points_within = 256;
+/// The most points of a product rule; if it needs more, other rules need fewer. The second number holds on a panel on
+/// which the kernel is analytic or its logarithm is integrated separately, the first on a panel beside the singularity.
+constexpr int most_points_beside_singularity = 64, most_points_where_analytic = 256;
 
 /// The distances from the start of exponentials with these rates at which an integral over them is cut into pieces. Up
 /// to a few lengths 1/|rate| the integrand is analytic. Where an exponential has decayed, the integrand falls like a
 /// power. Over a factor of 150 in the distance the rule resolves a power, but not an exponential. An exponential that
-/// oscillates counts until it has decayed relative to its size at the distance `nearest`, that of the contact.
-std::vector<double> cuts(const std::vector<Complex>& rates, double nearest, double farthest) {
+/// oscillates counts until it has decayed relative to its size at the distance `to_contact`.
+std::vector<double> cuts_of_exponentials(const std::vector<Complex>& rates, double to_contact,
+                                         double farthest) {
   constexpr double few_lengths = 6, radians = 20, resolved_ratio = 150;
   std::vector<double> result;
   for (const Complex& rate : rates) {
     const double size = std::abs(rate);
     double cut = few_lengths / size;
     if (rate.imag() != 0) {
-      cut = std::max(cut, nearest);
-      for (; rate.real() * (cut - nearest) < decayed && cut < farthest; cut += std::min(cut, radians / size))
+      cut = std::max(cut, to_contact);
+      for (; rate.real() * (cut - to_contact) < decayed && cut < farthest;
+           cut += std::min(cut, radians / size))
         result.push_back(cut);
     } else if (cut < 0.5 * farthest) {
       result.push_back(cut);
@@ -71,11 +73,11 @@ std::vector<double> cuts_of_poles(double distance, double off_axis, double farth
   return result;
 }
 
-/// Whether one of the exponentials oscillates, has not decayed at `distance` relative to its size at `nearest`, and
+/// Whether one of the exponentials oscillates, has not decayed at `distance` relative to its size at `to_contact`, and
 /// varies too much over the width to be approximated by a polynomial.
-bool oscillates(const std::vector<Complex>& rates, double nearest, double distance, double width) {
+bool oscillates(const std::vector<Complex>& rates, double to_contact, double distance, double width) {
   return std::ranges::any_of(rates, [&](const Complex& rate) {
-    return rate.imag() != 0 && rate.real() * (distance - nearest) < decayed && std::abs(rate) * width > 5;
+    return rate.imag() != 0 && rate.real() * (distance - to_contact) < decayed && std::abs(rate) * width > 5;
   });
 }
 
@@ -116,15 +118,23 @@ std::shared_ptr<const std::vector<UnitNode>> cached_rule(double tolerance, doubl
 }
 
 /// A number of points of a product rule, `least` rounded up to an even step so that few rules are cached.
-int points_of_rule(double least) {
+int rounded_up_points(double least) {
   const double points = std::min(least, 1e6), step = points < 64 ? 4 : 32;
   return static_cast<int>(step * std::ceil(points / step));
 }
 /// The number of points for an accuracy of `nats`, if each point gives `nats_a_point`.
-int points_of_rule(double nats_a_point, double nats) { return points_of_rule(1 + nats / nats_a_point); }
+int points_of_rule(double nats_a_point, double nats) { return rounded_up_points(1 + nats / nats_a_point); }
 
 Eigen::ArrayXd array(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// The sums over the nodes, rows, of a panel about the middle, where the weights of Re g are even, those of Im g odd.
+Eigen::MatrixXd sums_of_halves(const auto& at_nodes, const auto& weights, double parity) {
+  const Eigen::Index half = weights.rows() / 2;
+  const Eigen::MatrixXd both =
+      at_nodes.topRows(half) + parity * at_nodes.bottomRows(half).colwise().reverse();
+  return both.transpose() * weights.topRows(half);
 }
 
 }  // namespace
@@ -253,16 +263,16 @@ class Tractions::Sums {
                     Nodes& nodes) const {
     const double outside = Sums::outside(place), singular = singular_at(place, mirrored);
     const double gap = std::max(panel.left - singular, singular - panel.right);
-    std::vector<double> ends = cuts(rates, 0, panel.right);
+    std::vector<double> ends = cuts_of_exponentials(rates, 0, panel.right);
     ends.insert(ends.end(), {panel.left, panel.right});
     for (const double cut : {singular, singular - 5, singular + 5, singular - reach_, singular + reach_}) {
       if (panel.left < cut && cut < panel.right && (cut == singular || panel.width() > 8))
         ends.push_back(cut);
     }
-    std::vector<double> distances = cuts(kernel_.rates, outside, std::max(gap, 0.0) + panel.width());
+    const double farthest = std::max(gap, 0.0) + panel.width();
+    std::vector<double> distances = cuts_of_exponentials(kernel_.rates, outside, farthest);
     const double off_axis = kernel_.is_regular ? *kernel_.poles : 0;
     if (kernel_.poles) {
-      const double farthest = panel.width() + std::max(gap, 0.0);
       for (const double cut : cuts_of_poles(std::max(*kernel_.poles, outside), off_axis, farthest))
         distances.push_back(cut);
     }
@@ -332,7 +342,7 @@ class Tractions::Sums {
     const bool is_constant = kernel_.beyond_reach == Kernel::FarAway::constant;
     const double nats = !is_constant ? wanted + 2.1 * far : far < reach_ ? wanted : 0;
     const int points = points_of_rule(fall, nats);
-    if (points > (gap <= 0 ? most_points_within : most_points)) return false;
+    if (points > (gap <= 0 ? most_points_where_analytic : most_points_beside_singularity)) return false;
 
     const auto rule = product_rule(of_.basis(panel), points, degrees(panel));
     const double sign = (mirrored != place.trailing) ? -1 : 1;
@@ -354,8 +364,8 @@ class Tractions::Sums {
     const double width = panel.width();
     const double rate = largest(kernel_.rates);
     if (!kernel_.by_logarithm || mirrored || place.e != panel.left || rate * width > 2) return false;
-    const int points = points_of_rule(internal::points_of_analytic(width, rate, -std::log(tolerance_)));
-    if (points > most_points_within) return false;
+    const int points = rounded_up_points(internal::points_of_analytic(width, rate, -std::log(tolerance_)));
+    if (points > most_points_where_analytic) return false;
     const auto rule = product_rule(of_.basis(panel), points, degrees(panel)),
                times_logarithm =
                    product_rule(of_.basis(panel), points, degrees(panel), RuleFor::times_logarithm);
@@ -399,43 +409,40 @@ bool Tractions::Sums::add_own_panel(std::size_t p, const SplitKernel& split, Eig
   Eigen::MatrixXd on_p, on_q;
   split.regular({alpha.data(), size}, {logarithm.data(), size}, on_p, on_q);
   const int count = panel.terms + left_out;
-  const auto add = [&](const Eigen::MatrixXd& values, Eigen::Index functional, Eigen::Index of, double sign,
-                       int component, const Eigen::MatrixXd PanelBasis::Rows::*part) {
+  // g = sum (a_k + i b_k) phi_k: Re g has a_k Re phi_k - b_k Im phi_k, and Im g has a_k Im phi_k + b_k Re phi_k.
+  const auto add = [&](Eigen::Index functional, int component, Eigen::MatrixXd PanelBasis::Rows::*part) {
     if ((rule->weight.*part).size() == 0) return;
+    const bool is_imaginary = part == &PanelBasis::Rows::imaginary, is_b = component == 1;
+    const Eigen::Index load = is_imaginary == is_b ? 0 : 1;  // the part is in Re g or in Im g
     const Degrees degrees = of_.degrees_of(p, component);
     const auto integrals = [&](const PanelBasis::Rows& all) { return degrees.columns(all.*part, count); };
-    const double of_logarithm = -split.logarithm(functional, of) / std::numbers::pi,
-                 of_jump = split.jump(functional, of);
+    const double of_logarithm = -split.logarithm(functional, load) / std::numbers::pi,
+                 of_jump = split.jump(functional, load);
     const auto rows = Eigen::seqN(first + functional, points.points, kernel_.functionals);
     const auto columns = Eigen::seqN(of_.column(p, component), count);
-    const auto add_part = [&](double factor, const Eigen::MatrixXd& integral) {
+    const auto add_term = [&](double factor, const Eigen::MatrixXd& integral) {
       result.rows(rows, columns) += factor * integral;
       result.sizes(rows, columns) += std::fabs(factor) * integral.cwiseAbs();
     };
-    const double scale = sign * degrees.sign * width;
-    const auto at_nodes = values.row(functional).reshaped(nodes, points.points);
+    const double scale = (is_b && is_imaginary ? -1 : 1) * degrees.sign * width;
+    const auto at_nodes = (load == 0 ? on_p : on_q).row(functional).reshaped(nodes, points.points);
     const auto weights = integrals(rule->weight);
-    if (panel.about_middle) {
-      // The weights of a degree are even or odd about the middle.
-      const double mirrored = (component == 0) == (part == &PanelBasis::Rows::real) ? 1 : -1;
-      const Eigen::MatrixXd both =
-          at_nodes.topRows(nodes / 2) + mirrored * at_nodes.bottomRows(nodes / 2).colwise().reverse();
-      add_part(scale, both.transpose() * weights.topRows(nodes / 2));
-    } else {
-      add_part(scale, at_nodes.transpose() * weights);
-    }
+    if (panel.about_middle)
+      add_term(scale, sums_of_halves(at_nodes, weights, load == 0 ? 1 : -1));
+    else
+      add_term(scale, at_nodes.transpose() * weights);
     if (of_logarithm != 0) {
-      add_part(scale * of_logarithm, integrals(singular->logarithm));
-      add_part(scale * of_logarithm * log_width, integrals(singular->one).row(0).replicate(points.points, 1));
+      add_term(scale * of_logarithm, integrals(singular->logarithm));
+      add_term(scale * of_logarithm * log_width, integrals(singular->one).row(0).replicate(points.points, 1));
     }
-    if (of_jump != 0) add_part(scale * of_jump, integrals(singular->sign));
+    if (of_jump != 0) add_term(scale * of_jump, integrals(singular->sign));
   };
   for (Eigen::Index i = 0; i < kernel_.functionals; ++i) {
-    add(on_p, i, 0, 1, 0, &PanelBasis::Rows::real);
+    add(i, 0, &PanelBasis::Rows::real);
     if (!of_.is_complex_) continue;
-    add(on_q, i, 1, 1, 0, &PanelBasis::Rows::imaginary);
-    add(on_q, i, 1, 1, 1, &PanelBasis::Rows::real);
-    add(on_p, i, 0, -1, 1, &PanelBasis::Rows::imaginary);
+    add(i, 0, &PanelBasis::Rows::imaginary);
+    add(i, 1, &PanelBasis::Rows::real);
+    add(i, 1, &PanelBasis::Rows::imaginary);
   }
   return true;
 }
