@@ -22,7 +22,7 @@ ZoneMesh::ZoneMesh(const Zones& zones, const PartialSlipTask& task, double nats)
     : nats_(nats), step_(pi * pi / nats), friction_(task.friction) {
   cut(zones);
   set_ends(task, nats);
-  number();
+  number_unknowns();
   measure_gaps();
   at_nodes_ = rows(nodes_.size(), [this](std::size_t i) { return nodes_[i]; });
   at_midpoints_ = rows(midpoints_.size(), [this](std::size_t i) { return midpoints_[i]; });
@@ -37,22 +37,22 @@ void ZoneMesh::measure_gaps() {
 
 void ZoneMesh::cut(const Zones& zones) {
   for (std::size_t z = 0; z < zones.size(); ++z) {
-    const int parts = std::max(1, static_cast<int>(std::ceil(zones[z].length / longest_panel)));
+    const int panels = std::max(1, static_cast<int>(std::ceil(zones[z].length / longest_panel)));
     const auto sign_of = [&](std::size_t zone) { return zone < zones.size() ? zones[zone].sign : 0; };
-    for (int part = 0; part < parts; ++part) {
+    for (int number = 0; number < panels; ++number) {
       panels_.push_back({.zone = static_cast<int>(z),
                          .sign = zones[z].sign,
-                         .part = part,
-                         .parts = parts,
-                         .length = zones[z].length / parts,
-                         .from = static_cast<double>(sign_of(z - 1)),
-                         .to = static_cast<double>(sign_of(z + 1))});
+                         .number_in_zone = number,
+                         .panels_of_zone = panels,
+                         .length = zones[z].length / panels,
+                         .sign_before = static_cast<double>(sign_of(z - 1)),
+                         .sign_after = static_cast<double>(sign_of(z + 1))});
     }
   }
 }
 
 void ZoneMesh::stretch_to(const Zones& zones) {
-  for (Panel& panel : panels_) panel.length = zones[at(panel.zone)].length / panel.parts;
+  for (Panel& panel : panels_) panel.length = zones[at(panel.zone)].length / panel.panels_of_zone;
   measure_gaps();
 }
 
@@ -96,11 +96,11 @@ ZoneMesh::PanelEnd ZoneMesh::end(std::size_t panel, bool is_right, const Partial
   const double a = shift(own.sign + other.sign), power = sticks_then_slips ? 0.5 - a : 1.5 + a;
   result.shear = tail(power, power + 1, 2);
   result.pressure = sticks_then_slips ? tail(power, 1, power + 1) : tail(1, power, 2);
-  result.extra = own.sign == 0 && !sticks_then_slips;
+  result.has_extra_equation = own.sign == 0 && !sticks_then_slips;
   return result;
 }
 
-void ZoneMesh::number() {
+void ZoneMesh::number_unknowns() {
   for (std::size_t k = 0; k < panels_.size(); ++k) {
     Panel& panel = panels_[k];
     const int count = panel.last_node - panel.first_node + 1;
@@ -118,7 +118,7 @@ void ZoneMesh::number() {
 
 void ZoneMesh::add_points(const Panel& panel, int index) {
   for (int j = panel.first_of_all; j <= panel.last_of_all; ++j) nodes_.push_back({index, j * step_});
-  const int first = panel.first_node - (panel.left.extra ? 1 : 0);
+  const int first = panel.first_node - (panel.left.has_extra_equation ? 1 : 0);
   for (int j = panel.first_node * 5 / 4 - 1; j <= panel.last_node * 5 / 4 + 1; ++j) {
     const bool is_before_end = j <= panel.last_node + 1;
     midpoints_.push_back({{index, (j - 0.5) * step_},
@@ -208,7 +208,8 @@ Eigen::MatrixXd ZoneMesh::distances() const {
 
 double ZoneMesh::from_end(const Point& point, bool right) const {
   const Panel& own = panels_[at(point.panel)];
-  return own.length * (right ? own.parts - own.part - 1 + point.right : own.part + point.left);
+  return own.length * (right ? own.panels_of_zone - own.number_in_zone - 1 + point.right
+                             : own.number_in_zone + point.left);
 }
 
 double ZoneMesh::extent(int zone, const Point& point) const {
@@ -233,13 +234,13 @@ ZoneMesh::Point ZoneMesh::point_at(double e) const {
           std::clamp(std::log(e / std::max(panels_[k].length - e, 0.0)), -farthest, farthest)};
 }
 
-double ZoneMesh::rest(const Panel& panel, const Point& point) const {
+double ZoneMesh::hat_factor(const Panel& panel, const Point& point) const {
   const bool is_last = point.s == panel.first_of_all * step_ || point.s == panel.last_of_all * step_;
   return is_last ? 1 / (1 - std::exp(-step_)) : 1;
 }
 
 void ZoneMesh::add_hats(const Panel& panel, const Point& point, Shares& shares) const {
-  const double factor = rest(panel, point);
+  const double factor = hat_factor(panel, point);
   for (const auto& [end, shape] :
        {std::pair(&panel.left, point.right), std::pair(&panel.right, point.left)}) {
     if (end->value >= 0) shares.push_back({end->value, factor * shape, 0});
@@ -274,9 +275,10 @@ void ZoneMesh::add_nodes(const Panel& panel, double steps, Shares& shares) const
 }
 
 void ZoneMesh::add_shear_of_step(const Panel& panel, const Point& point, Shares& shares) const {
-  const double sign = panel.sign != 0 ? panel.sign
-                                      : panel.from + (panel.to - panel.from) *
-                                                         smooth_step((panel.part + point.left) / panel.parts);
+  const double place_in_zone = (panel.number_in_zone + point.left) / panel.panels_of_zone;
+  const double of_step =
+      panel.sign_before + (panel.sign_after - panel.sign_before) * smooth_step(place_in_zone);
+  const double sign = panel.sign != 0 ? panel.sign : of_step;
   for (Share& share : shares) share.shear += friction_ * sign * share.pressure;
 }
 

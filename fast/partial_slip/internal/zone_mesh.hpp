@@ -111,14 +111,14 @@ class ZoneMesh {
  private:
   struct PanelEnd {
     Tail pressure, shear;
-    double reach, depth;     ///< |s| of the last node with an unknown, and of the last node
-    int value, shear_value;  ///< unknowns of the boundary's values, -1 where they are 0
-    bool extra;              ///< whether the boundary has an additional equation
+    double reach, depth;      ///< |s| of the last node with an unknown, and of the last node
+    int value, shear_value;   ///< unknowns of the boundary's values, -1 where they are 0
+    bool has_extra_equation;  ///< of the boundary where slip turns into stick
   };
   struct Panel {
-    int zone, sign, part, parts;
+    int zone, sign, number_in_zone, panels_of_zone;
     double length;
-    double from, to;  ///< the neighbours' signs, from which the shear is counted at the zone's ends
+    double sign_before, sign_after;  ///< the neighbours', from which the shear is counted at the zone's ends
     PanelEnd left = {}, right = {};
     int first_node = 0, last_node = 0;      ///< with unknowns
     int first_of_all = 0, last_of_all = 0;  ///< with those beyond
@@ -130,11 +130,11 @@ class ZoneMesh {
   void set_ends(const PartialSlipTask& task, double nats);
   [[nodiscard]] PanelEnd end(std::size_t panel, bool is_right, const PartialSlipTask& task,
                              double nats) const;
-  void number();
+  void number_unknowns();
   void add_points(const Panel& panel, int index);
   void add_hats(const Panel& panel, const Point& point, Shares& shares) const;
   /// The factor of a hat at a point. At the last nodes it also stands for all that would follow, sum_k e^(-k h).
-  [[nodiscard]] double rest(const Panel& panel, const Point& point) const;
+  [[nodiscard]] double hat_factor(const Panel& panel, const Point& point) const;
   [[nodiscard]] Rows rows(std::size_t count, const auto& point) const;
   void add_nodes(const Panel& panel, double steps, Shares& shares) const;
   void add_shear_of_step(const Panel& panel, const Point& point, Shares& shares) const;
