@@ -14,8 +14,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double usual_part = 0.2;
 /// Zones are first sought in contacts of so many nats. With fewer, zones next to much shorter ones are not found.
 constexpr double rough = 20;
-/// A contact with a larger wrongness() lacks more than short zones.
-constexpr double too_wrong = 1e-3;
+/// A contact with a larger mean_excess() lacks more than short zones.
+constexpr double too_much_excess = 1e-3;
 
 /// Removes a zone; its neighbours, or its only neighbour, take its length.
 void remove(Zones& zones, std::size_t number) {
@@ -52,17 +52,17 @@ void separate_slips(Zones& zones, double part) {
   }
 }
 
-struct Part {
+struct WrongPart {
   double from, to;  ///< e
-  int sign;         ///< sign that its zone should have
+  int right_sign;   ///< the sign that its zone should have
 };
 
 /// The parts where a contact violates its conditions by more than its accuracy explains.
-std::vector<Part> wrong_parts(const ZoneContact& contact, double friction, double nats) {
+std::vector<WrongPart> wrong_parts(const ZoneContact& contact, double friction, double nats) {
   const double tolerance = left_by_accuracy(nats);
   const std::vector<ZoneContact::Sample>& samples = contact.samples();
   const std::vector<double> excess = excesses(contact, friction);
-  std::vector<Part> parts;
+  std::vector<WrongPart> parts;
   bool goes_on = false;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const auto& sample = samples[i];
@@ -71,7 +71,7 @@ std::vector<Part> wrong_parts(const ZoneContact& contact, double friction, doubl
     const bool is_wrong = excess[i] > tolerance;
     const int sign = sample.sign != 0 ? 0 : sample.shear > 0 ? 1 : -1;
     if (is_wrong) {
-      if (!goes_on || begins || parts.back().sign != sign)
+      if (!goes_on || begins || parts.back().right_sign != sign)
         parts.push_back({begins ? sample.e : samples[i - 1].e, 0, sign});
       parts.back().to = ends ? sample.e : samples[i + 1].e;
     }
@@ -79,13 +79,13 @@ std::vector<Part> wrong_parts(const ZoneContact& contact, double friction, doubl
   }
   // Parts that are much shorter than others may disappear with those.
   double longest = 0;
-  for (const Part& part : parts) longest = std::max(longest, part.to - part.from);
-  std::erase_if(parts, [&](const Part& part) { return part.to - part.from < 0.01 * longest; });
+  for (const WrongPart& part : parts) longest = std::max(longest, part.to - part.from);
+  std::erase_if(parts, [&](const WrongPart& part) { return part.to - part.from < 0.01 * longest; });
   return parts;
 }
 
 /// The zones with the part as a zone of its own.
-Zones with(const Zones& zones, const Part& part) {
+Zones with_zone_of(const Zones& zones, const WrongPart& part) {
   Zones result;
   double start = 0;
   const auto add = [&](double length, int sign) {
@@ -103,7 +103,7 @@ Zones with(const Zones& zones, const Part& part) {
     const bool is_first = from - start < margin, is_last = end - to < margin;
     if (to > from) {
       add(is_first ? 0 : from - start, zone.sign);
-      add((is_last ? end : to) - (is_first ? start : from), part.sign);
+      add((is_last ? end : to) - (is_first ? start : from), part.right_sign);
       add(is_last ? 0 : end - to, zone.sign);
     } else {
       add(zone.length, zone.sign);
@@ -114,35 +114,37 @@ Zones with(const Zones& zones, const Part& part) {
 }
 
 /// Whether the slip in the last zone has the wrong sign up to the trailing end, so that it has to turn around there.
-bool turns_at_end(const Zones& zones, const std::vector<Part>& parts) {
-  return zones.back().sign != 0 && parts.back().sign == 0 &&
+bool turns_at_end(const Zones& zones, const std::vector<WrongPart>& parts) {
+  return zones.back().sign != 0 && parts.back().right_sign == 0 &&
          parts.back().to > length_of(zones) - 1e-3 * zones.back().length;
 }
 
 /// The length of new zones over the length from which they are cut. If slip turns around at the trailing end, they are
 /// cut from the wrong part or from the whole zone.
-struct NewZones {
+struct NewZoneSize {
   double part;
   bool in_wrong_part;
 };
 
 /// The zones with all these parts as zones of their own.
-Zones with_missing(Zones zones, const std::vector<Part>& parts, const PartialSlipTask& task,
-                   const NewZones& size) {
-  const double last = zones.back().length;
+Zones with_missing_zones(Zones zones, const std::vector<WrongPart>& parts, const PartialSlipTask& task,
+                         const NewZoneSize& size) {
+  const double last_length = zones.back().length;
   const int sign = zones.back().sign;
   const double length = length_of(zones);
   const bool turns = turns_at_end(zones, parts);
-  for (const Part& part : parts)
-    if (!turns || part.from < length - last) zones = with(zones, part);
+  for (const WrongPart& part : parts)
+    if (!turns || part.from < length - last_length) zones = with_zone_of(zones, part);
   if (turns) {
-    const double wrong = std::min(length - parts.back().from, last / 3);
-    const double sticks = size.in_wrong_part ? usual_part * wrong : std::min(usual_part * last, wrong);
-    const double slips = size.in_wrong_part ? size.part / usual_part * wrong : size.part / 2 * last;
-    zones.back().length -= sticks + slips;
-    zones.insert(zones.end(), {{sticks, 0}, {slips, -sign}});
+    const double wrong_length = std::min(length - parts.back().from, last_length / 3);
+    const double stick_length =
+        size.in_wrong_part ? usual_part * wrong_length : std::min(usual_part * last_length, wrong_length);
+    const double slip_length =
+        size.in_wrong_part ? size.part / usual_part * wrong_length : size.part / 2 * last_length;
+    zones.back().length -= stick_length + slip_length;
+    zones.insert(zones.end(), {{stick_length, 0}, {slip_length, -sign}});
   }
-  if (zones.back().sign == 0 && !sticks_everywhere(task, zones)) slip_at_end(zones, parts.back().sign);
+  if (zones.back().sign == 0 && !sticks_everywhere(task, zones)) slip_at_end(zones, parts.back().right_sign);
   separate_slips(zones, size.part);
   return zones;
 }
@@ -155,52 +157,52 @@ std::optional<ZoneContact> solved_in_two_stages(const PartialSlipTask& task, con
   return near ? ZoneContact::solved(task, *near, nats) : std::nullopt;
 }
 
-/// The contact of least wrongness() with these parts as zones of their own. Several lengths of new zones are tried,
+/// The contact of least mean_excess() with these parts as zones of their own. Several lengths of new zones are tried,
 /// because Newton's method may shrink them to nothing. Nothing if none is found or the zones stay as they are.
-std::optional<ZoneContact> best_with_missing(const PartialSlipTask& task, const ZoneContact& contact,
-                                             const std::vector<Part>& parts) {
-  constexpr NewZones sizes[] = {{usual_part, true},      {usual_part, false},    {usual_part / 4, true},
-                                {usual_part / 4, false}, {2 * usual_part, true}, {2 * usual_part, false}};
-  const double wrong = wrongness(contact, task.friction);
+std::optional<ZoneContact> best_with_missing_zones(const PartialSlipTask& task, const ZoneContact& contact,
+                                                   const std::vector<WrongPart>& parts) {
+  constexpr NewZoneSize sizes[] = {{usual_part, true},      {usual_part, false},    {usual_part / 4, true},
+                                   {usual_part / 4, false}, {2 * usual_part, true}, {2 * usual_part, false}};
+  const double excess = mean_excess(contact, task.friction);
   std::optional<ZoneContact> best;
-  double least = infinity;
+  double least_excess = infinity;
   for (const bool in_two_stages : {true, false}) {
     // Few unknowns do not resolve zones that only a better accuracy shows.
     if (in_two_stages && contact.nats() > rough) continue;
     Zones zones;
-    for (const NewZones& size : sizes) {
+    for (const NewZoneSize& size : sizes) {
       if (size.in_wrong_part && !turns_at_end(contact.zones(), parts)) continue;
       // Some parts are cut out as they are, whatever the size.
-      if (std::exchange(zones, with_missing(contact.zones(), parts, task, size)) == zones) continue;
+      if (std::exchange(zones, with_missing_zones(contact.zones(), parts, task, size)) == zones) continue;
       if (in_same_order(zones, contact.zones())) return std::nullopt;
       auto found = in_two_stages ? solved_in_two_stages(task, zones, contact.nats())
                                  : ZoneContact::solved(task, zones, contact.nats());
       // If two sizes lead to the same contact, the others do, too.
       if (found && best && found->is_like(*best)) return best;
-      const double of_found = found ? wrongness(*found, task.friction) : infinity;
-      if (of_found < least) {
-        least = of_found;
+      const double excess_of_found = found ? mean_excess(*found, task.friction) : infinity;
+      if (excess_of_found < least_excess) {
+        least_excess = excess_of_found;
         best = std::move(found);
       }
-      if (least < wrong / 10) return best;
+      if (least_excess < excess / 10) return best;
     }
   }
   return best;
 }
 
 /// Changes the zones until they meet all conditions as far as the accuracy shows, or until missing zones are not found.
-/// wrongness() measures the violations that are left.
-std::optional<ZoneContact> mended(const PartialSlipTask& task, std::optional<ZoneContact> contact,
-                                  Zones zones, double nats) {
+/// mean_excess() measures the violations that are left.
+std::optional<ZoneContact> corrected(const PartialSlipTask& task, std::optional<ZoneContact> contact,
+                                     Zones zones, double nats) {
   while (!contact) {
     if (!leave_out_shortest_slip(zones)) return std::nullopt;
     contact = ZoneContact::solved(task, zones, nats);
   }
   constexpr int most_changes = 8;
   for (int change = 0; change < most_changes; ++change) {
-    const std::vector<Part> parts = wrong_parts(*contact, task.friction, nats);
+    const std::vector<WrongPart> parts = wrong_parts(*contact, task.friction, nats);
     if (parts.empty()) break;
-    auto next = best_with_missing(task, *contact, parts);
+    auto next = best_with_missing_zones(task, *contact, parts);
     if (!next) break;
     contact = std::move(next);
   }
@@ -210,16 +212,16 @@ std::optional<ZoneContact> mended(const PartialSlipTask& task, std::optional<Zon
 /// The contact of `rough` nats, in which short zones may be missing.
 std::optional<ZoneContact> found_roughly(const PartialSlipTask& task) {
   std::optional<ZoneContact> best;
-  double least = infinity;
+  double least_excess = infinity;
   const auto is_found_by = [&](std::optional<ZoneContact> first, const Zones& zones) {
-    auto contact = mended(task, std::move(first), zones, rough);
+    auto contact = corrected(task, std::move(first), zones, rough);
     if (!contact) return false;
-    if (const double wrong = wrongness(*contact, task.friction); wrong < least) {
-      least = wrong;
+    if (const double excess = mean_excess(*contact, task.friction); excess < least_excess) {
+      least_excess = excess;
       best = std::move(contact);
     }
-    // The wrongness of a contact with the right zones is at most its accuracy.
-    return least < std::exp(-rough);
+    // The mean excess of a contact with the right zones is at most its accuracy.
+    return least_excess < std::exp(-rough);
   };
   const auto is_found_from = [&](const Zones& zones) {
     const auto first = solved_in_two_stages(task, zones, rough);
@@ -239,13 +241,13 @@ std::optional<ZoneContact> found_roughly(const PartialSlipTask& task) {
     slip_at_end(zones, sign);
     if (is_found_from(zones)) return best;
   }
-  return least <= too_wrong ? best : std::nullopt;
+  return least_excess <= too_much_excess ? best : std::nullopt;
 }
 
 }  // namespace
 
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneContact& near, double nats) {
-  return mended(task, ZoneContact::solved(task, near, nats), near.zones(), nats);
+  return corrected(task, ZoneContact::solved(task, near, nats), near.zones(), nats);
 }
 
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) {
@@ -254,7 +256,7 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) 
   // A better accuracy shows shorter zones. They are found more easily if only few unknowns are added at a time.
   constexpr double stride = 5;
   for (double finer = rough + stride;
-       finer < nats && wrongness(*best, task.friction) > left_by_accuracy(nats); finer += stride) {
+       finer < nats && mean_excess(*best, task.friction) > left_by_accuracy(nats); finer += stride) {
     if (auto contact = find_zones(task, *best, finer)) best = std::move(contact);
   }
   return nats > rough ? find_zones(task, *best, nats) : ZoneContact::solved(task, *best, nats);
@@ -273,7 +275,7 @@ std::vector<double> excesses(const ZoneContact& contact, double friction) {
   return all;
 }
 
-double wrongness(const ZoneContact& contact, double friction) {
+double mean_excess(const ZoneContact& contact, double friction) {
   const std::vector<double> excess = excesses(contact, friction);
   double sum = 0;
   for (std::size_t i = 0; i < excess.size(); ++i)

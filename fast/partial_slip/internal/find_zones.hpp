@@ -20,6 +20,6 @@ std::vector<double> excesses(const ZoneContact& contact, double friction);
 /// The excess that a contact of accuracy e^-nats may have although its zones are right.
 inline double left_by_accuracy(double nats) { return std::exp(-nats / 2); }
 /// The mean of the excesses over the contact.
-double wrongness(const ZoneContact& contact, double friction);
+double mean_excess(const ZoneContact& contact, double friction);
 
 }  // namespace nipref::fast

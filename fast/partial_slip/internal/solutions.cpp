@@ -145,7 +145,7 @@ std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneConta
     part_left_out += second.samples()[i].weight / second.length();
   }
   const double relative =
-      wrongness(second, mu) + 2 * std::max(1.0, mu) * part_left_out + of_whole + of_second_order;
+      mean_excess(second, mu) + 2 * std::max(1.0, mu) * part_left_out + of_whole + of_second_order;
   std::vector<ZoneContact::Traction> wrong = wrong_by(second, excess, is_left_out, mu);
   return Solutions{.first = *std::move(first),
                    .second = std::move(second),

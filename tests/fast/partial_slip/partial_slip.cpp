@@ -149,7 +149,7 @@ TEST_CASE(
     const auto contact = fast::find_zones(task, 24);
     if (!contact) ++not_found;
     if (!contact) continue;
-    CHECK(fast::wrongness(*contact, mu) < 1e-12);
+    CHECK(fast::mean_excess(*contact, mu) < 1e-12);
     double largest_slip = 0, slip_where_it_sticks = 0;
     for (const auto& sample : contact->samples())
       largest_slip = std::max(largest_slip, std::fabs(sample.slip));
