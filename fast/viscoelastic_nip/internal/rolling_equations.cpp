@@ -49,13 +49,13 @@ Resolution RollingEquations::resolution(double nats) const {
 
 std::vector<RollingEquations::Mode> RollingEquations::modes(const std::vector<Panel>& panels) const {
   std::vector<Mode> result;
-  int unknown = 2, layers = 0;
+  int unknown = first_exponential, layers = 0;
   for (std::size_t j = 0; j < sheet_.normal.inverse.size(); ++j) {
     const Memory& memory = sheet_.normal.inverse[j];
     if (memory.rate.imag() < 0) continue;
-    const int columns = memory.rate.imag() > 0 ? 2 : 1;
-    result.push_back({memory, j, columns, unknown, is_layer(memory.rate, panels) ? layers++ : -1});
-    unknown += columns;
+    const int members = memory.rate.imag() > 0 ? 2 : 1;
+    result.push_back({memory, j, members, unknown, is_layer(memory.rate, panels) ? layers++ : -1});
+    unknown += members;
   }
   return result;
 }
@@ -63,12 +63,12 @@ std::vector<RollingEquations::Mode> RollingEquations::modes(const std::vector<Pa
 double RollingEquations::stiffness_of_layers(const std::vector<Mode>& modes) const {
   std::size_t layers = 0;
   for (const Mode& mode : modes)
-    if (mode.layer >= 0) layers = mode.number + static_cast<std::size_t>(mode.columns);
+    if (mode.is_layer()) layers = mode.number + static_cast<std::size_t>(mode.members);
   return sheet_.normal.stiffness[layers];
 }
 
 bool RollingEquations::has_faded(const Mode& mode, double half_length) {
-  return mode.layer >= 0 || std::abs(mode.memory.rate) * half_length >= 1;
+  return mode.is_layer() || std::abs(mode.memory.rate) * half_length >= 1;
 }
 
 RollingEquations::Response RollingEquations::lasting_response(const std::vector<Mode>& modes,
@@ -77,11 +77,11 @@ RollingEquations::Response RollingEquations::lasting_response(const std::vector<
   Response result;
   for (const Mode& mode : modes) {
     const auto& [amplitude, rate] = mode.memory;
-    const double columns = mode.columns;
-    if (has_faded(mode, half_length)) faded = mode.number + static_cast<std::size_t>(mode.columns);
-    if (mode.layer < 0) continue;
-    result.first.add(columns * (amplitude / rate / rate).real());
-    result.second.add(columns * (2.0 * amplitude / rate / rate / rate).real());
+    const double members = mode.members;
+    if (has_faded(mode, half_length)) faded = mode.number + static_cast<std::size_t>(mode.members);
+    if (!mode.is_layer()) continue;
+    result.first.add(members * (amplitude / rate / rate).real());
+    result.second.add(members * (2.0 * amplitude / rate / rate / rate).real());
   }
   result.stiffness.add(sheet_.normal.stiffness[faded]);
   return result;
@@ -92,16 +92,16 @@ RollingEquations::Response RollingEquations::fading_response(const std::vector<M
   Response result;
   const auto add = [&](const Mode& mode, auto amplitude, auto rate) {
     const auto z = rate * x;
-    const double columns = mode.columns;
+    const double members = mode.members;
     const auto faded = faded_powers(z);
-    result.stiffness.add(columns * std::real(has_faded(mode, half_length) ? -amplitude / rate * std::exp(-z)
+    result.stiffness.add(members * std::real(has_faded(mode, half_length) ? -amplitude / rate * std::exp(-z)
                                                                           : amplitude * x * faded[0]));
-    result.first.add(columns * std::real(amplitude * x * x * faded[1]));
-    result.second.add(columns * std::real(amplitude * x * x * x * faded[2]));
+    result.first.add(members * std::real(amplitude * x * x * faded[1]));
+    result.second.add(members * std::real(amplitude * x * x * x * faded[2]));
   };
   for (const Mode& mode : modes) {
     const auto& [amplitude, rate] = mode.memory;
-    if (mode.layer >= 0) continue;
+    if (mode.is_layer()) continue;
     if (rate.imag() == 0)
       add(mode, amplitude.real(), rate.real());
     else
@@ -110,43 +110,44 @@ RollingEquations::Response RollingEquations::fading_response(const std::vector<M
   return result;
 }
 
-/// Adds the even and the odd part of the equations at the distance e from the two ends.
+/// Adds the even part of the equations at the distance e from the two ends, and after it the odd part.
 void RollingEquations::add_matching(const std::vector<Mode>& modes, double half_length, double e,
-                                    Eigen::Index row, Equations& equations) const {
+                                    Eigen::Index even_row, Equations& equations) const {
   const double y = half_length - e, trailing = 2 * half_length - e;
   const Response here = fading_response(modes, half_length, e),
                  there = fading_response(modes, half_length, trailing);
-  const Response parts[] = {lasting_response(modes, half_length) + 0.5 * (here + there),
-                            0.5 * (here + -1 * there)};
+  const Response even = lasting_response(modes, half_length) + 0.5 * (here + there),
+                 odd = 0.5 * (here + -1 * there);
   const double scale = stiffness_of_layers(modes);
-  for (const bool odd : {false, true}) {
-    const auto& [stiffness, first, second] = parts[odd ? 1 : 0];
-    const auto& [stiffness_of_other, first_of_other, second_of_other] = parts[odd ? 0 : 1];
-    const Sized of_offset = -2 * (y * stiffness_of_other + first),
-                constant = -1 * (y * y * stiffness + 2 * y * first_of_other + second);
+  const Eigen::Index odd_row = even_row + 1;
+  // The response to u, a polynomial. `flowing`: the coefficient of stiff_part if the layers leave no stiffness.
+  const auto set_polynomial = [&](Eigen::Index row, const Response& own, const Response& other,
+                                  double flowing) {
     const auto set = [&](int unknown, const Sized& coefficient) {
-      equations.on_unknowns(row + odd, unknown) = -coefficient.value;
-      equations.size_on_unknowns(row + odd, unknown) = coefficient.size;
+      equations.on_unknowns(row, unknown) = -coefficient.value;
+      equations.size_on_unknowns(row, unknown) = coefficient.size;
     };
-    if (!has_layers(modes))
-      set(stiff_part, stiffness);
-    else if (scale != 0)
-      set(stiff_part, 1 / scale * stiffness);
-    else
-      set(stiff_part, {odd ? 0.0 : 1.0, odd ? 0.0 : 1.0});
+    const Sized of_offset = -2 * (y * other.stiffness + own.first),
+                constant = -1 * (y * y * own.stiffness + 2 * y * other.first + own.second);
+    set(stiff_part, !has_layers(modes) ? own.stiffness
+                    : scale != 0       ? 1 / scale * own.stiffness
+                                       : Sized{flowing, flowing});
     set(offset, of_offset);
-    equations.right(row + odd) = constant.value;
-    equations.size_right(row + odd) = constant.size;
-  }
+    equations.right(row) = constant.value;
+    equations.size_right(row) = constant.size;
+  };
+  set_polynomial(even_row, even, odd, 1);
+  set_polynomial(odd_row, odd, even, 0);
   // The even and the odd part of e^(-rate e), the odd part without cancellation if the rate is small.
   const auto set_exponential = [&](const Mode& mode, auto rate) {
     const auto apart = 2 * y * rate, half = 0.5 * std::exp(-rate * e),
                difference = apart * internal::phi1(apart);
-    for (const int odd : {0, 1}) {
-      const Complex part = half * (odd == 1 ? difference : 2.0 - difference);
-      equations.on_unknowns(row + odd, mode.unknown) = -mode.columns * part.real();
-      if (mode.columns == 2) equations.on_unknowns(row + odd, mode.unknown + 1) = 2 * part.imag();
-    }
+    const auto set = [&](Eigen::Index row, const Complex& part) {
+      equations.on_unknowns(row, mode.unknown) = -mode.members * part.real();
+      if (mode.members == 2) equations.on_unknowns(row, mode.unknown + 1) = 2 * part.imag();
+    };
+    set(even_row, half * (2.0 - difference));
+    set(odd_row, half * difference);
   };
   for (const Mode& mode : modes) {
     if (const Complex rate = mode.memory.rate; rate.imag() == 0)
@@ -154,6 +155,11 @@ void RollingEquations::add_matching(const std::vector<Mode>& modes, double half_
     else
       set_exponential(mode, rate);
   }
+}
+
+/// The memory of a term of N in the rows of RollingKernels::ahead: its real and its imaginary part.
+static auto memory_of_term(const Eigen::MatrixXd& ahead, std::size_t term) {
+  return ahead.middleRows(2 * static_cast<Eigen::Index>(term), 2);
 }
 
 /// Adds the equation of u_m: u = N(D) f at the leading end. It is scaled down so that the elimination uses it for u_m
@@ -164,7 +170,7 @@ void RollingEquations::add_middle_displacement(double half_length, const Eigen::
   Eigen::RowVectorXd sum = ahead.bottomRows(1);
   for (std::size_t k = 0; k < sheet_.normal.terms.size(); ++k) {
     const auto& [amplitude, rate] = sheet_.normal.terms[k];
-    const auto memory = ahead.middleRows(2 * static_cast<Eigen::Index>(k), 2);
+    const auto memory = memory_of_term(ahead, k);
     sum += (rate.imag() > 0 ? 2 : 1) * (amplitude.real() * memory.row(0) - amplitude.imag() * memory.row(1));
   }
   constexpr double scale = 0x1p-600;
@@ -178,8 +184,10 @@ void RollingEquations::add_middle_displacement(double half_length, const Eigen::
 void RollingEquations::add_closure(const std::vector<Mode>& modes, double half_length,
                                    const Eigen::MatrixXd& ahead, Equations& equations) const {
   const std::vector<Memory>& terms = sheet_.normal.terms;
-  const Eigen::Index first = equations.right.size() - equations.on_unknowns.cols();
-  const auto is_layer = [](const Mode& mode) { return mode.layer >= 0; };
+  // The last equations are those of the unknowns from first_exponential on.
+  const auto row_of = [&](const Mode& mode) {
+    return equations.right.size() - equations.on_unknowns.cols() + mode.unknown;
+  };
   for (const Mode& mode : modes) {
     const std::vector<Complex>& closure = sheet_.normal.closure[mode.number];
     for (std::size_t k = 0; k < terms.size(); ++k) {
@@ -188,28 +196,27 @@ void RollingEquations::add_closure(const std::vector<Mode>& modes, double half_l
       // A pair's memories are conjugate.
       const auto partner = std::ranges::find(terms, std::conj(rate), &Memory::rate) - terms.begin();
       const Complex of_partner = rate.imag() > 0 ? closure[static_cast<std::size_t>(partner)] : 0;
-      const Complex over = is_layer(mode) ? mode.memory.rate : 1;
+      const Complex over = mode.is_layer() ? mode.memory.rate : 1;
       const Complex of_real = (closure[k] + of_partner) / over,
                     of_imaginary = Complex(0, 1) * (closure[k] - of_partner) / over;
-      const auto memory =
-          ahead.middleRows(2 * static_cast<Eigen::Index>(k + (is_layer(mode) ? terms.size() : 0)), 2);
-      const Eigen::Index row = first + mode.unknown;
+      const auto memory = memory_of_term(ahead, mode.is_layer() ? terms.size() + k : k);
+      const Eigen::Index row = row_of(mode);
       equations.on_tractions.row(row) -= of_real.real() * memory.row(0) + of_imaginary.real() * memory.row(1);
-      if (mode.columns == 2)
+      if (mode.members == 2)
         equations.on_tractions.row(row + 1) -=
             of_real.imag() * memory.row(0) + of_imaginary.imag() * memory.row(1);
     }
   }
   for (const Mode& mode : modes) {
-    for (int c = 0; c < mode.columns; ++c) {
-      const Eigen::Index row = first + mode.unknown + c;
-      equations.on_unknowns(row, mode.unknown + c) = 1;
-      if (!is_layer(mode)) continue;
-      equations.layers(2 * mode.layer + c, mode.unknown + c) = mode.columns;
+    for (int part = 0; part < mode.members; ++part) {
+      const Eigen::Index row = row_of(mode) + part;
+      equations.on_unknowns(row, mode.unknown + part) = 1;
+      if (!mode.is_layer()) continue;
+      equations.layers(2 * mode.layer + part, mode.unknown + part) = mode.members;
       const Complex of_offset = 2.0 * (mode.memory.amplitude / mode.memory.rate) / mode.memory.rate;
       const Complex constant = of_offset * (half_length + 1.0 / mode.memory.rate);
-      equations.on_unknowns(row, offset) = -(c == 0 ? of_offset.real() : of_offset.imag());
-      equations.right(row) = c == 0 ? constant.real() : constant.imag();
+      equations.on_unknowns(row, offset) = -(part == 0 ? of_offset.real() : of_offset.imag());
+      equations.right(row) = part == 0 ? constant.real() : constant.imag();
     }
   }
 }
@@ -219,17 +226,16 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
   const std::vector<Mode> modes = this->modes(panels);
   std::vector<Complex> layers;
   for (const Mode& mode : modes)
-    if (mode.layer >= 0) layers.push_back(mode.memory.rate);
+    if (mode.is_layer()) layers.push_back(mode.memory.rate);
   Tractions tractions(half_length, panels, true, 0.5, layers);
   const Tractions::SplitKernel elastic = frictionless_kernel(kernels);
   const auto [points, ahead, sizes] = tractions.matching_rows(elastic, tolerance);
 
   const auto matching = 2 * static_cast<Eigen::Index>(points.size());
-  const auto unknowns =
-      static_cast<Eigen::Index>(2 + sheet_.normal.inverse.size() + (has_layers(modes) ? 1 : 0));
+  const auto memories = static_cast<int>(sheet_.normal.inverse.size() + (has_layers(modes) ? 1 : 0));
   const auto of_layers = static_cast<Eigen::Index>(2 * layers.size());
-  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(matching + unknowns - 2, tractions.columns());
-  Equations equations(none, none, unknowns, of_layers);
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(matching + memories, tractions.columns());
+  Equations equations(none, none, first_exponential + memories, of_layers);
   // Layers act on the other half, too.
   const Eigen::MatrixXd behind =
       of_layers > 0 ? tractions.rows_of_layers_behind(points, elastic.whole, tolerance) : Eigen::MatrixXd();
@@ -257,7 +263,7 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
     add_closure(modes, half_length, ahead_of_end, equations);
     if (has_layers(modes)) add_middle_displacement(half_length, ahead_of_end, equations);
   }
-  equations.memories = static_cast<int>(unknowns - 2);
+  equations.memories = memories;
   return {std::move(tractions), equations};
 }
 

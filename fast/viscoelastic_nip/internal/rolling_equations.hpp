@@ -61,14 +61,16 @@ class RollingEquations : public NipEquations {
   using Sized = internal::Sized<double>;
   /// The unknown u_m, or with layers its product with the stiffness that they leave. The product comes before the
   /// exponentials, and u_m after them, so that the elimination finds the exponentials by their own equations.
-  static constexpr int stiff_part = 0;
+  static constexpr int stiff_part = 0, first_exponential = 2;
   /// A memory of the inverse; it stands for a conjugate pair if Im rate > 0.
   struct Mode {
     Memory memory;
     std::size_t number;  ///< in the inverse
-    int columns;         ///< 1, or 2 of a pair
-    int unknown;         ///< the first unknown of H or h
+    int members;         ///< 1, or 2 of a pair
+    int unknown;         ///< of H or h; of a pair its real part, which its imaginary part follows
     int layer;           ///< number of its layer, -1 without one
+
+    [[nodiscard]] bool is_layer() const { return layer >= 0; }
   };
   [[nodiscard]] std::vector<Mode> modes(const std::vector<Panel>& panels) const;
   /// The inverse applied to a polynomial u at the distance x behind the leading end, but for the exponentials of H and h,
@@ -86,7 +88,7 @@ class RollingEquations : public NipEquations {
   };
   /// Layers come first, as their rates are the largest.
   [[nodiscard]] static bool has_layers(const std::vector<Mode>& modes) {
-    return !modes.empty() && modes.front().layer >= 0;
+    return !modes.empty() && modes.front().is_layer();
   }
   /// 1 + sum m_j/r_j of the layers: the stiffness that is left where their memories have faded.
   [[nodiscard]] double stiffness_of_layers(const std::vector<Mode>& modes) const;
@@ -96,7 +98,7 @@ class RollingEquations : public NipEquations {
   /// The part of the response that is equal at all places, with the layers' integrals to infinity; and the other part.
   [[nodiscard]] Response lasting_response(const std::vector<Mode>& modes, double half_length) const;
   [[nodiscard]] Response fading_response(const std::vector<Mode>& modes, double half_length, double x) const;
-  void add_matching(const std::vector<Mode>& modes, double half_length, double e, Eigen::Index row,
+  void add_matching(const std::vector<Mode>& modes, double half_length, double e, Eigen::Index even_row,
                     Equations& equations) const;
   /// `ahead`: the rows of RollingKernels::ahead at the leading end.
   void add_middle_displacement(double half_length, const Eigen::MatrixXd& ahead, Equations& equations) const;
