@@ -19,17 +19,20 @@ double along_motion(double limit, Direction motion, Direction psi) {
   return limit * std::sqrt(squared_length(motion).high) / std::fabs(cosine_between(psi, motion).high);
 }
 
+/// The line at an angle from the motion, and its critical speeds along itself and along the motion.
+struct CriticalLine {
+  double from_motion, phase_speed, speed;
+};
+
 /// The critical speeds of the lines as a function of the angle between line and motion.
 class CriticalSpeeds {
  public:
   CriticalSpeeds(const LineLimits& line, Direction motion) : line_(line), motion_(motion) {}
 
-  double operator()(double from_motion) const { return both(from_motion).second; }
-  /// The critical speed along the line, and the corresponding speed along the motion.
-  [[nodiscard]] std::pair<double, double> both(double from_motion) const {
+  [[nodiscard]] CriticalLine at(double from_motion) const {
     const Direction psi = turned(from_motion);
     const double limit = line_.limit(psi);
-    return {limit, along_motion(limit, motion_, psi)};
+    return {from_motion, limit, along_motion(limit, motion_, psi)};
   }
   [[nodiscard]] Two in_two_words(double from_motion) const {
     const Direction psi = turned(from_motion);
@@ -46,64 +49,59 @@ class CriticalSpeeds {
   Direction motion_;
 };
 
-/// A sequence of lines so close to each other that, up to a given relative step, no line between them has a critical
-/// speed below the lowest found.
+/// Two lines and, between them, a line whose critical speed is not above theirs.
+struct Bracket {
+  double left, lowest, right;  ///< angles from the motion
+};
+
+/// Lines over half a turn, in order. An interval between neighbours is clear for a speed if this speed is proven to be
+/// subcritical for all lines of the interval.
 ///
 /// Let a field of the half-space be proportional to exp(i k.x) along the surface. Its strain is linear in k. Hence its
 /// energy at (1 - t) k1 + t k2 is the weighted mean of the energies at k1 and k2 minus t (1 - t) times the energy of a
 /// plane wave with the wave vector k2 - k1. Let w be the frequency at which a line with the wave vector k is critical.
 /// Then a load of the velocity V is subcritical for all lines between the unit vectors k1 and k2 if
 /// sqrt(w1^2 - (V.k1)^2) + sqrt(w2^2 - (V.k2)^2) is at least the frequency of the fastest wave with wave vector k2 - k1.
-class Landscape {
+class LineGrid {
  public:
-  Landscape(const CriticalSpeeds& speeds, const AnisotropicLine& waves, Direction motion,
-            std::size_t most_lines)
+  LineGrid(const CriticalSpeeds& speeds, const AnisotropicLine& waves, Direction motion,
+           std::size_t most_lines)
       : speeds_(speeds), waves_(waves), motion_(motion), most_lines_(most_lines) {
     constexpr double quarter = std::numbers::pi / 2, most_apart = 3000;
     for (const double from_motion : {-quarter, 0.0, quarter}) lines_.push_back(at(from_motion));
     if (wave_bound(0) > most_apart * least_ || wave_bound(quarter) > most_apart * least_) refuse_moduli();
-    for (const double step : {1e-3, 1e-6, 1e-9, 1e-12}) {
-      while ((step == 1e-3 || lines_.size() <= enough_lines) && refine((1 - step) * least_))
-        ;
-    }
   }
 
-  /// The line with the lowest critical speed found in a valley, and its neighbours.
-  struct Valley {
-    double left, lowest, right;
-  };
-  /// All valleys that may contain the minimum.
-  [[nodiscard]] std::vector<Valley> lowest() const {
-    std::vector<Valley> result;
+  /// Halves intervals until all are clear for the lowest critical speed found less this share of it, or until there are
+  /// more lines than `enough`.
+  void refine_to(double share, std::size_t enough) {
+    while (lines_.size() <= enough && halve_unclear((1 - share) * least_))
+      ;
+  }
+
+  /// All brackets that may contain the minimum.
+  [[nodiscard]] std::vector<Bracket> brackets() const {
+    std::vector<Bracket> result;
     for (std::size_t i = 1; i + 1 < lines_.size(); ++i) {
-      const Line &left = lines_[i - 1], &here = lines_[i], &right = lines_[i + 1];
-      const bool is_bottom = here.speed <= left.speed && here.speed <= right.speed;
+      const CriticalLine &left = lines_[i - 1], &here = lines_[i], &right = lines_[i + 1];
+      const bool is_bracket = here.speed <= left.speed && here.speed <= right.speed;
       const bool may_be_lowest =
           here.speed == least_ || !is_clear(left, here, least_) || !is_clear(here, right, least_);
-      if (is_bottom && may_be_lowest)
+      if (is_bracket && may_be_lowest)
         result.push_back({left.from_motion, here.from_motion, right.from_motion});
     }
     return result;
   }
 
  private:
-  /// Steps after the first stop refining when there are more lines than this, at most half of what the caller allows.
-  /// Only the first step can therefore end in a refusal.
-  static constexpr std::size_t enough_lines = 400;
-
-  struct Line {
-    double from_motion;
-    double phase_speed, speed;  ///< the critical speeds along the line and along the motion
-  };
-
   [[noreturn]] static void refuse_moduli() {
     throw data::BadInput("solid", "(as given)", "must have moduli nearer to each other to search its lines");
   }
 
-  Line at(double from_motion) {
-    const auto [phase_speed, speed] = speeds_.both(from_motion);
-    least_ = std::min(least_, speed);
-    return {from_motion, phase_speed, speed};
+  CriticalLine at(double from_motion) {
+    const CriticalLine line = speeds_.at(from_motion);
+    least_ = std::min(least_, line.speed);
+    return line;
   }
 
   [[nodiscard]] double wave_bound(double from_motion) const {
@@ -111,13 +109,13 @@ class Landscape {
   }
 
   /// sqrt(w^2 - (V.k)^2)
-  static double reserve(const Line& line, double speed) {
+  static double reserve(const CriticalLine& line, double speed) {
     const double share = speed / line.speed;
     return line.phase_speed * std::sqrt((1 - share) * (1 + share));
   }
 
-  /// Whether all lines between these two are subcritical, evaluated in double.
-  [[nodiscard]] bool is_clear(const Line& left, const Line& right, double speed) const {
+  /// Evaluated in double.
+  [[nodiscard]] bool is_clear(const CriticalLine& left, const CriticalLine& right, double speed) const {
     if (!(left.speed > speed && right.speed > speed)) return false;
     const double half = (right.from_motion - left.from_motion) / 2;
     const double across = left.from_motion + half + std::numbers::pi / 2;
@@ -125,10 +123,10 @@ class Landscape {
   }
 
   /// Halves the intervals that are not clear; returns false if there are none.
-  bool refine(double speed) {
-    std::vector<Line> finer{lines_.front()};
+  bool halve_unclear(double speed) {
+    std::vector<CriticalLine> finer{lines_.front()};
     for (std::size_t i = 0; i + 1 < lines_.size(); ++i) {
-      const Line &left = lines_[i], &right = lines_[i + 1];
+      const CriticalLine &left = lines_[i], &right = lines_[i + 1];
       if (!is_clear(left, right, speed))
         finer.push_back(at(left.from_motion + (right.from_motion - left.from_motion) / 2));
       finer.push_back(right);
@@ -143,27 +141,27 @@ class Landscape {
   const AnisotropicLine& waves_;
   Direction motion_;
   std::size_t most_lines_;
-  std::vector<Line> lines_;
-  double least_ = HUGE_VAL;
+  std::vector<CriticalLine> lines_;
+  double least_ = HUGE_VAL;  ///< the lowest critical speed found
 };
 
-/// The minimum in a valley, by Brent's search over its width. A critical frequency is a minimum over functions that are
-/// quadratic in the wave vector, so that minima are smooth and their curvature is bounded by the fastest wave.
-double bottom_of(const CriticalSpeeds& speeds, const Landscape::Valley& valley) {
+/// The minimum in a bracket, by Brent's search. A critical frequency is a minimum over functions that are quadratic in the
+/// wave vector, so that minima are smooth and their curvature is bounded by the fastest wave.
+double minimum_in(const Bracket& bracket, const CriticalSpeeds& speeds) {
   constexpr int bits = 26;
-  const auto at = [&](double share) {
-    const double end = share < 0 ? valley.left : valley.right;
-    return valley.lowest + std::fabs(share) * (end - valley.lowest);
+  const auto angle = [&](double share) {
+    const double end = share < 0 ? bracket.left : bracket.right;
+    return bracket.lowest + std::fabs(share) * (end - bracket.lowest);
   };
   std::uintmax_t most = 60;
-  const auto found = boost::math::tools::brent_find_minima([&](double share) { return speeds(at(share)); },
-                                                           -1.0, 1.0, bits, most);
-  return at(found.first);
+  const auto found = boost::math::tools::brent_find_minima(
+      [&](double share) { return speeds.at(angle(share)).speed; }, -1.0, 1.0, bits, most);
+  return angle(found.first);
 }
 
-/// One Newton step towards the minimum, with slope and curvature from differences in two words, because in a narrow
-/// valley rounding errors of double would leave the minimum too high.
-double nearer_to_bottom(const CriticalSpeeds& speeds, double from_motion) {
+/// One Newton step towards the minimum, with slope and curvature from differences in two words, because rounding errors
+/// of double would leave a narrow minimum too high.
+double newton_step(const CriticalSpeeds& speeds, double from_motion) {
   constexpr double step = 0x1p-28, farthest = 0x1p-18;
   const Two here = speeds.in_two_words(from_motion);
   const double above = (speeds.in_two_words(from_motion + step) - here).high;
@@ -189,19 +187,24 @@ CriticalSpeed critical_speed(const LineLimits& line, const AnisotropicLine& wave
   const CriticalSpeeds speeds(line, motion);
   double least = HUGE_VAL, at = 0;
   const auto keep_lower = [&](double from_motion) {
-    const double speed = speeds(from_motion);
+    const double speed = speeds.at(from_motion).speed;
     if (speed < least) {
       least = speed;
       at = from_motion;
     }
   };
-  for (const Landscape::Valley& valley : Landscape(speeds, waves, motion, most_lines).lowest()) {
+  LineGrid lines(speeds, waves, motion, most_lines);
+  lines.refine_to(1e-3, most_lines);
+  // At most half of what the callers allow, so that only the first share can end in a refusal.
+  constexpr std::size_t enough_lines = 400;
+  for (const double share : {1e-6, 1e-9, 1e-12}) lines.refine_to(share, enough_lines);
+  for (const Bracket& bracket : lines.brackets()) {
     constexpr int steps = 3;
-    keep_lower(valley.lowest);
-    double from_motion = bottom_of(speeds, valley);
+    keep_lower(bracket.lowest);
+    double from_motion = minimum_in(bracket, speeds);
     for (int i = 0; i <= steps; ++i) {
       keep_lower(from_motion);
-      from_motion = nearer_to_bottom(speeds, from_motion);
+      from_motion = newton_step(speeds, from_motion);
     }
   }
   return critical_at(least, at, motion);
