@@ -105,6 +105,14 @@ void check_apart(const Points& roots) {
   }
 }
 
+/// The divided differences of a polynomial over the first node, the first two and so on, by synthetic division. They are
+/// its coefficients in Newton's form.
+Points newton_coefficients(Points polynomial, const Points& nodes) {
+  for (std::size_t k = 0; k < polynomial.size(); ++k)
+    for (std::size_t i = polynomial.size() - 1; i-- > k;) polynomial[i] += nodes[k] * polynomial[i + 1];
+  return polynomial;
+}
+
 /// The function of time, t >= 0, that has this transform, without its impulses at 0. It consists of divided differences
 /// of e^(p t) over the roots of the denominator, which may coincide. The error is below 2^-150 of the size. Throws
 /// BadInput if five roots of one factor nearly coincide.
@@ -117,27 +125,25 @@ Sized<Octuple> inverse_transform(const Rational& transform, double t) {
   }
   const Polynomial denominator = product(transform.denominator);
   const Polynomial proper = product(transform.numerator) % denominator;
-  // Leibniz's rule for divided differences of a product: the sum over k of that of the polynomial over the first k
-  // roots, by synthetic division, times that of the exponential over the roots from the k-th on.
-  Points rest, faded = roots;
-  for (const Octuple& c : proper.data()) rest.emplace_back(c / denominator.data().back());
-  for (OctupleComplex& root : faded) root *= t;
-  Octuple slowest = roots.empty() ? Octuple(0) : faded.front().real(), value = 0, size = 0;
-  for (const OctupleComplex& root : faded) slowest = std::max<Octuple>(slowest, root.real());
-  ExponentialDifferences differences(std::move(faded));
-  ExponentialDifferences::Numbers left(roots.size());
-  std::iota(left.begin(), left.end(), std::size_t{0});
-  for (std::size_t k = 0; k < roots.size() && !rest.empty(); ++k) {
-    for (std::size_t i = rest.size() - 1; i-- > 0;) rest[i] += roots[k] * rest[i + 1];
-    Octuple scale = 1, over = 1;
-    for (std::size_t n = 1; n < left.size(); ++n) {
-      scale *= t;
-      over *= static_cast<double>(n);
+  Points numerator, exponents = roots;
+  for (const Octuple& c : proper.data()) numerator.emplace_back(c / denominator.data().back());
+  for (OctupleComplex& root : exponents) root *= t;
+  Octuple slowest = roots.empty() ? Octuple(0) : exponents.front().real(), value = 0, size = 0;
+  for (const OctupleComplex& exponent : exponents) slowest = std::max<Octuple>(slowest, exponent.real());
+  ExponentialDifferences differences(std::move(exponents));
+  // Leibniz's rule for divided differences of a product: the sum over k of that of the polynomial over the roots up to
+  // the k-th times that of the exponential over the roots from the k-th on.
+  const Points coefficients = newton_coefficients(std::move(numerator), roots);
+  for (std::size_t k = 0; k < coefficients.size(); ++k) {
+    ExponentialDifferences::Numbers from_k(roots.size() - k);
+    std::iota(from_k.begin(), from_k.end(), k);
+    Octuple power = 1, factorial = 1;
+    for (std::size_t n = 1; n < from_k.size(); ++n) {
+      power *= t;
+      factorial *= static_cast<double>(n);
     }
-    value += scale * OctupleComplex(rest.front() * differences.over(left)).real();
-    size += scale / over * abs(rest.front()) * exp(slowest);
-    rest.erase(rest.begin());
-    left.erase(left.begin());
+    value += power * OctupleComplex(coefficients[k] * differences.over(from_k)).real();
+    size += power / factorial * abs(coefficients[k]) * exp(slowest);
   }
   return {value, size};
 }
