@@ -29,18 +29,27 @@ const Waves& nearest_waves(Accuracy accuracy) {
 /// The limit of a kernel far ahead of the load; far behind it, the odd kernels have the opposite limit.
 double limit(Kernel kernel) { return kernel == Kernel::I1 ? 0 : std::numbers::pi / 4; }
 
-/// The integral of e^(-rate (w - start)) I(w) ahead of the load, where `start` is the distance of the waves `from`:
-/// over `length`, and to infinity (all_ahead). For an odd kernel at rate 0, where the latter diverges, the kernel's
-/// limit is subtracted for all w > 0.
+/// The integral of e^(-rate (w - start)) I(w) over `length` behind or ahead of the load; `kept` is e^(-rate length).
+template <typename Rate>
+Rate piece_behind(Kernel kernel, const Waves& from, const Waves& to, Rate rate, double length, Rate kept) {
+  const Rate piece = memory_of_piece_behind(kernel, from, to, rate, length, kept);
+  return kernel == Kernel::I1 ? piece : -(piece + limit(kernel) * length * phi1(rate * length));
+}
 template <typename Rate>
 Rate piece_ahead(Kernel kernel, const Waves& from, Rate rate, double length) {
   return memory_of_piece_ahead(kernel, from, rate, length) + limit(kernel) * length * phi1(rate * length);
 }
+/// The integral of e^(-rate (w - start)) times the kernel's limit over all w > start. At rate 0, where it diverges, the
+/// integral over all w > 0 is subtracted.
 template <typename Rate>
-Rate all_ahead(Kernel kernel, const Waves& from, double at, Rate rate) {
+Rate limit_ahead(Kernel kernel, double start, Rate rate) {
+  return rate == 0.0 ? Rate(-limit(kernel) * start) : limit(kernel) / rate;
+}
+/// The integral of e^(-rate (w - start)) I(w) from a start ahead of the load to infinity, at rate 0 like limit_ahead.
+template <typename Rate>
+Rate all_ahead(Kernel kernel, const Waves& from, double start, Rate rate) {
   const Rate far = memory_of_waves(kernel, from, rate, Side::ahead);
-  if (kernel == Kernel::I1) return far;  // I1 is integrable, so that its memory exists at rate 0, too
-  return far + (rate == 0.0 ? Rate(-limit(kernel) * at) : limit(kernel) / rate);
+  return kernel == Kernel::I1 ? far : far + limit_ahead(kernel, start, rate);
 }
 
 double under_load(Kernel kernel, double from, double to, double length, const Fade& fade, Accuracy accuracy) {
@@ -62,9 +71,9 @@ Complex from_nearest(Kernel kernel, Complex rate, Accuracy accuracy) {
   return all_ahead(kernel, nearest_waves(accuracy), nearest, rate);
 }
 
-/// The integral of e^(-rate (w - start)) I(w) on [start, end], or on [start, infinity) if `end` is null. Parts farther
-/// from the load than `nearest` are sums of residues; memory_under_load is the part near the load. Each part is
-/// multiplied by e^(-rate d), where d is its distance from `start`.
+/// The integral of e^(-rate (w - start)) I(w) on [start, end], or on [start, infinity) if `end` is null, which is at rate
+/// 0 like limit_ahead. Parts farther from the load than `nearest` are sums of residues; memory_under_load is the part
+/// near the load. Each part is multiplied by e^(-rate d), where d is its distance from `start`.
 template <typename Rate>
 auto by_pieces(Kernel kernel, const SurfacePoint& start, const SurfacePoint* end, Two length,
                const Rate& rate, Accuracy accuracy) {
@@ -73,21 +82,19 @@ auto by_pieces(Kernel kernel, const SurfacePoint& start, const SurfacePoint* end
   const double w = start.at.high;
   Value sum = 0;
   if (w < -nearest) {
-    const bool all = end && end->at.high <= -nearest;
-    const Two way = all ? length : -start.at + Two{-nearest, 0};
-    const Value kept = faded(rate, way);
-    const Value piece = memory_of_piece_behind(
-        kernel, start.waves, all ? end->waves : nearest_waves(accuracy), plain, way.high, kept);
-    sum += kernel == Kernel::I1 ? piece : -(piece + limit(kernel) * way.high * phi1(plain * way.high));
-    if (all) return sum;
+    const bool ends = end && end->at.high <= -nearest;
+    const Two behind = ends ? length : -start.at + Two{-nearest, 0};
+    sum += piece_behind(kernel, start.waves, ends ? end->waves : nearest_waves(accuracy), plain, behind.high,
+                        faded(rate, behind));
+    if (ends) return sum;
   }
   if (w < nearest) {
-    const Two way = w < -nearest ? -start.at + Two{-nearest, 0} : Two{0, 0};
+    const Two behind = w < -nearest ? -start.at + Two{-nearest, 0} : Two{0, 0};
     const double from = std::max(w, -nearest);
     const bool ends = end && end->at.high <= nearest;
     const double to = ends ? end->at.high : nearest;
     const double part = ends && from == w ? length.high : to - from;
-    sum += faded(rate, way) * under_load(kernel, from, to, part, rate, accuracy);
+    sum += faded(rate, behind) * under_load(kernel, from, to, part, rate, accuracy);
     if (ends) return sum;
   }
   if (w >= nearest) {
@@ -175,9 +182,9 @@ double steady_memory(Kernel kernel, const SurfacePoint& start, const Fade& fade,
     return whole_line(rate) * faded(fade, -start.at) +
            memory_of_waves(kernel, start.waves, rate, Side::behind);
   }
-  // At rate 0 all_ahead subtracts the limit for w > 0; here the limit is subtracted for w > start.
-  const double from_point = fade.rate.high == 0 ? limit(kernel) * start.at.high : 0;
-  return by_pieces(kernel, start, nullptr, {}, fade, accuracy) + from_point;
+  // At rate 0 the whole integral of the limit is left out.
+  const double rest_of_limit = fade.rate.high == 0 ? -limit_ahead(kernel, start.at.high, 0.0) : 0;
+  return by_pieces(kernel, start, nullptr, {}, fade, accuracy) + rest_of_limit;
 }
 
 Complex steady_memory(Kernel kernel, const SurfacePoint& start, Complex rate, Accuracy accuracy) {
@@ -196,10 +203,10 @@ typename Kept::Number steady_memory_beside_limit(Kernel kernel, const SurfacePoi
   const auto plain = one_word(fade);
   if (start.at.high >= nearest) return memory_of_waves(kernel, start.waves, plain, Side::ahead);
   const SurfacePoint end{{nearest, 0}, nearest_waves(accuracy)};
-  const Two way = -start.at + Two{nearest, 0};
-  return by_pieces(kernel, start, &end, way, fade, accuracy) -
-         limit(kernel) * way.high * phi1(plain * way.high) +
-         faded(fade, way) * memory_of_waves(kernel, end.waves, plain, Side::ahead);
+  const Two length = -start.at + Two{nearest, 0};
+  return by_pieces(kernel, start, &end, length, fade, accuracy) -
+         limit(kernel) * length.high * phi1(plain * length.high) +
+         faded(fade, length) * memory_of_waves(kernel, end.waves, plain, Side::ahead);
 }
 template double steady_memory_beside_limit(Kernel, const SurfacePoint&, const Fade&, Accuracy);
 template Complex steady_memory_beside_limit(Kernel, const SurfacePoint&, const OscillatingFade&, Accuracy);
