@@ -77,36 +77,45 @@ SheetStresses whole_stresses(const FieldFunctions& f, double alpha, double s, Sh
 /// The sign of x, which is 0 for x = 0.
 double sign(double x) { return x == 0 ? 0 : std::copysign(1.0, x); }
 
-/// The factors of theta2/N (or 1) and of theta1/N in pi u or, if `along`, in pi v relative to infinity, without
-/// constants. They are imaginary and real parts of the same functions.
-HalfPlaneParts parts_of(bool along, const FieldFunctions& f, double s, SheetLoad load) {
-  const bool normal = load == SheetLoad::normal;
-  const internal::ComplexValue first = f[normal ? I4 : K5], a = f[normal ? I5 : I7], b = f[normal ? I7 : I5];
-  const double t = normal ? -s : s;  // the second function is a + i t b
-  if (along) return {first.re, a.re - t * b.im};
-  return {first.im, a.im + t * b.re};
-}
+/// Functions whose imaginary parts are the factors of theta2/N (or 1) and of theta1/N in pi u, and whose real parts are
+/// those in pi v, all relative to infinity and without constants.
+struct ComplexParts {
+  internal::ComplexValue first, second;
 
-/// u or, if `along`, v from its parts. v under one load has the formula of u under the other load. v of a shear load
-/// lacks the part that depends on eta.
-double displaced(bool along, const HalfPlaneParts& parts, SheetLoad load, const Shares& share) {
-  const double second = share.theta1 * parts.second;
-  const bool both = (load == SheetLoad::normal) != along;
-  return (both ? -parts.first - second : second - share.theta2 * parts.first) * inv_pi;
-}
-
-/// u, or v without the part that depends on eta. Far from the load, v of a shear load also lacks its term -alpha/4.
-double in_quarter(bool along, double alpha, double s, SheetLoad load, double poisson) {
-  HalfPlaneParts parts{};
-  if (is_near(alpha)) {
-    parts = (along ? internal::half_plane_v : internal::half_plane_u)({alpha, s}, load) +
-            parts_of(along, internal::near_rest(alpha, s, I4), s, load);
-  } else {
-    const double limit = quarter_pi * (along ? 1 : s),
-                 constant = (load == SheetLoad::normal) == along ? limit : 0;
-    parts = parts_of(along, internal::decaying(alpha, s, I4), s, load) + HalfPlaneParts{constant, constant};
+  ComplexParts(const FieldFunctions& f, double s, SheetLoad load) {
+    const bool normal = load == SheetLoad::normal;
+    const internal::ComplexValue a = f[normal ? I5 : I7], b = f[normal ? I7 : I5];
+    const double t = normal ? -s : s;
+    first = f[normal ? I4 : K5];
+    second = {a.re - t * b.im, a.im + t * b.re};  // a + i t b
   }
-  return displaced(along, parts, load, shares_of(poisson));
+  [[nodiscard]] HalfPlaneParts of_u() const { return {first.im, second.im}; }
+  [[nodiscard]] HalfPlaneParts of_v() const { return {first.re, second.re}; }
+};
+
+double u_from(const HalfPlaneParts& parts, SheetLoad load, const Shares& share) {
+  const double second = share.theta1 * parts.second;
+  return (load == SheetLoad::normal ? -parts.first - second : second - share.theta2 * parts.first) * inv_pi;
+}
+
+/// v under one load has the formula of u under the other. v of a shear load lacks the part that depends on eta.
+double v_from(const HalfPlaneParts& parts, SheetLoad load, const Shares& share) {
+  return u_from(parts, load == SheetLoad::normal ? SheetLoad::shear : SheetLoad::normal, share);
+}
+
+double u_in_quarter(double alpha, double s, SheetLoad load, double poisson) {
+  const double constant = load == SheetLoad::shear ? quarter_pi * s : 0;
+  const HalfPlaneParts apart =
+      is_near(alpha) ? internal::half_plane_u({alpha, s}, load) : HalfPlaneParts{constant, constant};
+  return u_from(apart + ComplexParts(varying(alpha, s, I4), s, load).of_u(), load, shares_of(poisson));
+}
+
+/// v without the part that depends on eta. Far from the load, v of a shear load also lacks its term -alpha/4.
+double v_in_quarter(double alpha, double s, SheetLoad load, double poisson) {
+  const double constant = load == SheetLoad::normal ? quarter_pi : 0;
+  const HalfPlaneParts apart =
+      is_near(alpha) ? internal::half_plane_v({alpha, s}, load) : HalfPlaneParts{constant, constant};
+  return v_from(apart + ComplexParts(varying(alpha, s, I4), s, load).of_v(), load, shares_of(poisson));
 }
 
 /// v of a shear load. Its parts grow with alpha and eta; far from the load alpha and eta are subtracted first.
@@ -115,7 +124,7 @@ double shear_v_in_quarter(double alpha, double eta, double s, double poisson) {
   const double held =
       shares_of(poisson).theta1 * fast::I7(eta) - internal::sheet_code().scalar[part][Accuracy().tier()](eta);
   const double apart = is_near(alpha) ? eta : eta - alpha;
-  return apart / 4 + (held * inv_pi + in_quarter(true, alpha, s, SheetLoad::shear, poisson));
+  return apart / 4 + (held * inv_pi + v_in_quarter(alpha, s, SheetLoad::shear, poisson));
 }
 
 /// A function that is odd in alpha is proportional to tiny alpha. A tiny alpha is multiplied by 2^64, so that no product
@@ -188,16 +197,15 @@ internal::UnderLoads<internal::FromFace> internal::DisplacementsFromFace::at(dou
   };
   const FieldFunctions here = at_depth(depth_, waves_), face = at_depth(1, of_face_);
   const auto under = [&](SheetLoad load) {
-    HalfPlaneParts u = parts_of(false, here, depth_, load), u_of_face = parts_of(false, face, 1, load),
-                   v = parts_of(true, here, depth_, load) - parts_of(true, face, 1, load);
+    const ComplexParts parts(here, depth_, load), of_face(face, 1, load);
+    HalfPlaneParts u = parts.of_u(), u_of_face = of_face.of_u(), v = parts.of_v() - of_face.of_v();
     if (near) {
       const SeenFromLoads place(a, depth_), on_face(a, 1);
       u = u + half_plane_u(place, load);
       u_of_face = u_of_face + half_plane_u(on_face, load);
       v = v + (half_plane_v(place, load) - half_plane_v(on_face, load));
     }
-    FromFace of{displaced(false, u, load, share_) - depth_ * displaced(false, u_of_face, load, share_),
-                displaced(true, v, load, share_)};
+    FromFace of{u_from(u, load, share_) - depth_ * u_from(u_of_face, load, share_), v_from(v, load, share_)};
     (load == SheetLoad::normal ? of.v : of.u) *= side;
     return of;
   };
@@ -246,7 +254,7 @@ double sheet_u(double alpha, double depth, SheetLoad load, double poisson) {
   data::ElasticMaterial{1, poisson}.check();
   const Lifted place = lifted(alpha, depth);
   const double signs = sign(depth) * (load == SheetLoad::shear ? sign(alpha) * place.scale : 1);
-  return signs * in_quarter(false, place.alpha, std::fabs(depth), load, poisson);
+  return signs * u_in_quarter(place.alpha, std::fabs(depth), load, poisson);
 }
 
 double sheet_v(double alpha, double eta, double depth, SheetLoad load, double poisson) {
@@ -256,7 +264,7 @@ double sheet_v(double alpha, double eta, double depth, SheetLoad load, double po
   const double s = std::fabs(depth);
   if (load == SheetLoad::shear) return shear_v_in_quarter(std::fabs(alpha), std::fabs(eta), s, poisson);
   const Lifted place = lifted(alpha, depth);
-  return sign(alpha) * place.scale * in_quarter(true, place.alpha, s, load, poisson) + F1(eta, poisson);
+  return sign(alpha) * place.scale * v_in_quarter(place.alpha, s, load, poisson) + F1(eta, poisson);
 }
 
 }  // namespace nipref::fast
