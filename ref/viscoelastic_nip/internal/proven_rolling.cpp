@@ -57,12 +57,13 @@ std::optional<Interval> zero_between(const Memory& memory, Float low, Float high
 
 std::optional<Memory> memory_of(const ProvenMemories& memories) {
   Memory memory;
-  const Interval share(memories.error, working_bits());
+  const auto widened = [share = Interval(memories.error, working_bits())](const mpq_class& near) {
+    const Interval x(near, working_bits());
+    return x.widened(x * share);
+  };
   for (const ExactFunction::Term& term : memories.terms) {
-    memory.a.push_back(
-        Interval(term.amplitude, working_bits()).widened(Interval(term.amplitude, working_bits()) * share));
-    memory.r.push_back(
-        Interval(term.rate, working_bits()).widened(Interval(term.rate, working_bits()) * share));
+    memory.a.push_back(widened(term.amplitude));
+    memory.r.push_back(widened(term.rate));
   }
   Float all(0);
   for (const Interval& a : memory.a) all += upper_end(a);
@@ -225,12 +226,12 @@ Intervals memory_moments(const Moments& moments, const mpq_class& rate, const In
   return result;
 }
 
-/// sum_m m c_m moment_m
-Interval slope_functional(const BoundedColumn& column, const Intervals& moments) {
+/// F_i = int_0^inf e^{-r_i w} f'(-w) dw/(2A^2) of a column by the moments of M_i, which are at most 4 in magnitude.
+Interval memory_functional(const BoundedColumn& column, const Intervals& moments) {
   Interval sum = zero();
   for (std::size_t m = 1; m < column.coefficients.size(); ++m)
     sum = sum + static_cast<long>(m) * (column.coefficients[m] * moments[m]);
-  return sum;
+  return (-sum).widened(magnitude_of(4 * column.radius));
 }
 
 /// Solves a small system by elimination; nothing if a pivot may be 0.
@@ -276,7 +277,88 @@ int expansion_digits(const ProvenMemories& memories, double half_length, int dig
          static_cast<int>(digits_of_slowness(memories, half_length) + 2 * std::log10(1 + half_length));
 }
 
-double approximate(const Interval& x) { return static_cast<double>(middle_of(x)); }
+struct RollingPlan {
+  int expansion_digits, size;  ///< of the columns
+  double nats;                 ///< of the memories' integrals
+};
+
+/// Nothing if the contact is too long or a memory too fast.
+std::optional<RollingPlan> plan_of(const ProvenMemories& memories, double half_length, int digits) {
+  const double growth = largest_growth(memories, half_length);
+  if (growth > most_growth) return std::nullopt;
+  const int expansion = expansion_digits(memories, half_length, digits);
+  const double nats = (expansion + 4) * std::numbers::ln10;
+  const double decay = std::min(1.5, std::asinh(1.9 / half_length));
+  const double points =
+      std::max({2.0 * size_for(half_length, expansion), (nats + 4 * growth) / decay, growth + 4});
+  if (points > most_points) return std::nullopt;
+  return RollingPlan{expansion, static_cast<int>(points / 2 + 1), nats};
+}
+
+/// The rolling contact as a sum of the columns, which belong to q_0 and to each q_j, with Gamma and eta_j as factors.
+struct RollingSum {
+  Intervals factors;
+  Interval offset;  ///< omega = o/A
+};
+using Columns = std::vector<BoundedColumn>;
+
+/// Solves the equations of the eta_j and that of the constants, which come last. `ahead` has the F_i of all columns.
+std::optional<RollingSum> solved_sum(const Memory& memory, const Interval& A, const Columns& columns,
+                                     const std::vector<Intervals>& ahead) {
+  const std::size_t n = memory.s.size(), offset = n, right_side = n + 1;  // in each row, after the eta_j
+  const Interval Gamma = memory.stiffness();
+  std::vector<Intervals> rows(n + 1, Intervals(n + 2, zero()));
+  Intervals& constants = rows.back();
+  for (std::size_t j = 0; j < n; ++j) {
+    const Interval &s = memory.s[j], &b = memory.b[j];
+    Intervals& row = rows[j];
+    for (std::size_t i = 0; i < n; ++i) {
+      const Interval factor = b * memory.a[i] / (s - memory.r[i]);
+      for (std::size_t k = 0; k < n; ++k) row[k] = row[k] - factor * ahead[i][k + 1];
+      row[right_side] = row[right_side] + factor * Gamma * ahead[i][0];
+    }
+    row[j] = row[j] + 1;
+    row[offset] = -(b / s);
+    row[right_side] = row[right_side] + b * (1 / s + 1 / (A * square(s)));
+    const Interval mean = scaled_bessel(s * A, 0).front();
+    constants[j] = columns[j + 1].constant - mean;
+    constants[right_side] = constants[right_side] - b / (A * square(s));
+  }
+  constants[offset] = Gamma;
+  constants[right_side] = constants[right_side] - Gamma * columns[0].constant;
+  const std::optional<Intervals> unknowns = eliminated(std::move(rows));
+  if (!unknowns) return std::nullopt;
+  RollingSum sum{{Gamma}, (*unknowns)[offset]};
+  sum.factors.insert(sum.factors.end(), unknowns->begin(), unknowns->end() - 1);
+  return sum;
+}
+
+ProvenExpansion pressure_of(const RollingSum& sum, const Columns& columns, const Interval& A) {
+  ProvenExpansion pressure{A, Intervals(columns[0].coefficients.size(), zero()), zero(), zero(), zero()};
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const Interval &factor = sum.factors[k], size = magnitude_of(factor);
+    for (std::size_t m = 1; m < pressure.coefficients.size(); ++m)
+      pressure.coefficients[m] = pressure.coefficients[m] + factor * columns[k].coefficients[m];
+    pressure.radius = pressure.radius + size * columns[k].radius;
+    pressure.energy_radius = pressure.energy_radius + size * columns[k].energy_radius;
+  }
+  return pressure;
+}
+
+/// d1 = (A/pi) int (I1 + sum a_i M_i) p, by the moments of I1 and those of each M_i.
+Interval edge_displacement_of(const ProvenExpansion& pressure, const Memory& memory, Intervals moments,
+                              const std::vector<Intervals>& of_memories) {
+  Interval largest = magnitude_of(log(pressure.half_length / 2)) + 5;
+  for (std::size_t i = 0; i < of_memories.size(); ++i) {
+    for (std::size_t k = 0; k < moments.size(); ++k)
+      moments[k] = moments[k] + memory.a[i] * of_memories[i][k];
+    largest = largest + 4 * magnitude_of(memory.a[i]);
+  }
+  Interval sum = zero();
+  for (std::size_t m = 1; m < pressure.coefficients.size(); ++m)
+    sum = sum + pressure.coefficients[m] * (moments[m - 1] - moments[m + 1]);
+  return square(pressure.half_length) * sum.widened(magnitude_of(2 * largest * pressure.radius));
+}
 
 }  // namespace
 
@@ -305,90 +387,35 @@ int proven_rolling_working_digits(const ProvenMemories& memories, double half_le
 }
 
 std::optional<ProvenContact> proven_rolling(const ProvenMemories& memories, const Interval& A, int digits) {
-  const double near = approximate(A), growth = largest_growth(memories, near);
-  if (growth > most_growth) return std::nullopt;
-  const int expansion = expansion_digits(memories, near, digits);
-  const double nats = (expansion + 4) * std::numbers::ln10;
-  const double decay = std::min(1.5, std::asinh(1.9 / near));
-  const double points = std::max({2.0 * size_for(near, expansion), (nats + 4 * growth) / decay, growth + 4});
-  if (points > most_points) return std::nullopt;
+  const std::optional<RollingPlan> plan = plan_of(memories, static_cast<double>(middle_of(A)), digits);
+  if (!plan) return std::nullopt;
   const std::optional<Memory> memory = memory_of(memories);
   if (!memory) return std::nullopt;
-  SmoothKernel kernel(I1_interval, expansion + 6);
-  const int size = static_cast<int>(points / 2 + 1);
-  const ChebyshevSystem system(middle_of(A), size, kernel, true);
+  SmoothKernel kernel(I1_interval, plan->expansion_digits + 6);
+  const ChebyshevSystem system(middle_of(A), plan->size, kernel, true);
   const Moments moments(system, A);
 
-  // The columns: the elastic contact, and a contact for each exponential.
-  std::vector<BoundedColumn> columns;
-  const auto add = [&](const SlopeSeries& right) {
+  std::vector<SlopeSeries> right_sides{SlopeSeries::line(plan->size)};
+  for (const Interval& s : memory->s) right_sides.push_back(exponential_series(s, A, 2 * plan->size));
+  Columns columns;
+  for (const SlopeSeries& right : right_sides)
     columns.push_back(system.proven(system.solution(right), right, A));
-  };
-  add(SlopeSeries::line(size));
-  for (const Interval& s : memory->s) add(exponential_series(s, A, 2 * size));
-  const std::size_t n = memory->s.size();
 
-  // F_i = int_0^inf e^{-r_i w} f'(-w) dw/(2A^2) of each column. The moments of M are at most 4 in magnitude.
   const Interval share(memories.error, working_bits());
-  std::vector<Intervals> memories_at, ahead;
+  std::vector<Intervals> of_memories, ahead;
   for (const ExactFunction::Term& term : memories.terms) {
-    memories_at.push_back(memory_moments(moments, term.rate, share, nats));
-    Intervals of_columns;
+    of_memories.push_back(memory_moments(moments, term.rate, share, plan->nats));
+    Intervals& of_columns = ahead.emplace_back();
     for (const BoundedColumn& column : columns)
-      of_columns.push_back(
-          (-slope_functional(column, memories_at.back())).widened(magnitude_of(4 * column.radius)));
-    ahead.push_back(of_columns);
+      of_columns.push_back(memory_functional(column, of_memories.back()));
   }
 
-  // Unknowns: the amplitudes of the exponentials and the offset over A.
-  const Interval stiffness = memory->stiffness();
-  std::vector<Intervals> rows;
-  for (std::size_t j = 0; j < n; ++j) {
-    const Interval &s = memory->s[j], &b = memory->b[j];
-    Intervals row(n + 2, zero());
-    for (std::size_t i = 0; i < n; ++i) {
-      const Interval factor = b * memory->a[i] / (s - memory->r[i]);
-      for (std::size_t k = 0; k < n; ++k) row[k] = row[k] - factor * ahead[i][k + 1];
-      row[n + 1] = row[n + 1] + factor * stiffness * ahead[i][0];
-    }
-    row[j] = row[j] + 1;
-    row[n] = -(b / s);
-    row[n + 1] = row[n + 1] + b * (1 / s + 1 / (A * square(s)));
-    rows.push_back(std::move(row));
-  }
-  Intervals last(n + 2, zero());
-  for (std::size_t k = 0; k < n; ++k) {
-    const Interval mean = scaled_bessel(memory->s[k] * A, 0).front();
-    last[k] = columns[k + 1].constant - mean;
-    last[n + 1] = last[n + 1] - memory->b[k] / (A * square(memory->s[k]));
-  }
-  last[n] = stiffness;
-  last[n + 1] = last[n + 1] - stiffness * columns[0].constant;
-  rows.push_back(std::move(last));
-  const std::optional<Intervals> amplitudes = eliminated(std::move(rows));
-  if (!amplitudes) return std::nullopt;
-
-  ProvenExpansion pressure{A, Intervals(columns[0].coefficients.size(), zero()), zero(), zero(), zero()};
-  for (std::size_t k = 0; k <= n; ++k) {
-    const Interval& factor = k == 0 ? stiffness : (*amplitudes)[k - 1];
-    for (std::size_t m = 1; m < pressure.coefficients.size(); ++m)
-      pressure.coefficients[m] = pressure.coefficients[m] + factor * columns[k].coefficients[m];
-    pressure.radius = pressure.radius + magnitude_of(factor) * columns[k].radius;
-    pressure.energy_radius = pressure.energy_radius + magnitude_of(factor) * columns[k].energy_radius;
-  }
-
-  // d1 = (A/pi) int (I1 + sum a_i M_i) p, by the moments of I1 + sum a_i M_i.
-  Intervals all = kernel_moments(moments, kernel);
-  Interval largest = magnitude_of(log(A / 2)) + 5;
-  for (std::size_t i = 0; i < memories.terms.size(); ++i) {
-    for (std::size_t k = 0; k < all.size(); ++k) all[k] = all[k] + memory->a[i] * memories_at[i][k];
-    largest = largest + 4 * magnitude_of(memory->a[i]);
-  }
-  Interval sum = zero();
-  for (std::size_t m = 1; m < pressure.coefficients.size(); ++m)
-    sum = sum + pressure.coefficients[m] * (all[m - 1] - all[m + 1]);
-  const Interval edge_displacement = square(A) * sum.widened(magnitude_of(2 * largest * pressure.radius));
-  return ProvenContact(std::move(pressure), A * amplitudes->back(), edge_displacement);
+  const std::optional<RollingSum> sum = solved_sum(*memory, A, columns, ahead);
+  if (!sum) return std::nullopt;
+  ProvenExpansion pressure = pressure_of(*sum, columns, A);
+  const Interval edge_displacement =
+      edge_displacement_of(pressure, *memory, kernel_moments(moments, kernel), of_memories);
+  return ProvenContact(std::move(pressure), A * sum->offset, edge_displacement);
 }
 
 std::optional<ProvenContact> proven_rolling_for_load(const ProvenMemories& memories, const Exact& load,
