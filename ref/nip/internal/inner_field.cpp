@@ -39,19 +39,20 @@ struct InnerField::FacePoint {
     const Float u = side == left_of_point ? gap : -gap;
     const Float square = u * u + distance * distance, part = shares.theta1 * distance / square;
     const Float logarithm = log(square) / 2, angle = shares.theta2 * atan2(u, distance), half = weight / 2;
-    sum[0] += face * half * (here.pressure * (logarithm - part * distance) - here.shear * (angle + part * u));
-    sum[1] += half * (here.pressure * (part * u - angle) - here.shear * (logarithm + part * distance));
+    sum[across] +=
+        face * half * (here.pressure * (logarithm - part * distance) - here.shear * (angle + part * u));
+    sum[along] += half * (here.pressure * (part * u - angle) - here.shear * (logarithm + part * distance));
   }
   /// Adds pi/2 times the stresses due to such a traction, times a weight.
   void add(const PressureAndShear& here, const Float& gap, Side side, const Float& weight,
            Stresses& sum) const {
     const Float u = side == left_of_point ? gap : -gap;
     const Float square = u * u + distance * distance;
-    const Float along = (distance * here.pressure + u * here.shear) * weight / (square * square);
-    const Float share = along * distance;
-    sum[0] -= share * distance;
-    sum[1] -= along * u * u;
-    sum[2] += face * (share * u);
+    const Float part = (distance * here.pressure + u * here.shear) * weight / (square * square);
+    const Float share = part * distance;
+    sum[across] -= share * distance;
+    sum[along] -= part * u * u;
+    sum[shear] += face * (share * u);
   }
 };
 
@@ -76,13 +77,12 @@ const std::vector<UnitPoint>& InnerField::level(int number) const {
 
 /// Adds the integral over start <= |alpha - alpha'| <= end of the tractions on both sides of the point, or on the one
 /// side on which the contact reaches so far. Levels are added until the integral has converged.
-template <std::size_t Parts>
-void InnerField::add_segment(const Float& start, const Float& end, const FacePoint& point,
-                             std::array<Float, Parts>& sum) const {
+template <class Parts>
+void InnerField::add_segment(const Float& start, const Float& end, const FacePoint& point, Parts& sum) const {
   // Displacements are smaller than tractions under a short contact.
-  const Float scale = Parts == 2 ? std::min(Float(1), source_.half_length) : Float(1);
+  const Float scale = are_stresses<Parts> ? Float(1) : std::min(Float(1), source_.half_length);
   const Float enough = scale * fineness_.scale * pow(Float(10), -fineness_.digits), length = end - start;
-  std::array<Float, Parts> total, before;
+  Parts total, before;
   for (int number = 0; number < most_levels; ++number) {
     for (const UnitPoint& node : level(number)) {
       const Float from_start = length * node.from_left, to_end = length * node.from_right,
@@ -99,19 +99,18 @@ void InnerField::add_segment(const Float& start, const Float& end, const FacePoi
     }
     const Float factor = std::ldexp(2 / fineness_.fineness, -number) / pi();
     Float change = 0;
-    for (std::size_t i = 0; i < Parts; ++i) {
+    for (std::size_t i = 0; i < sum.size(); ++i) {
       const Float now = factor * total[i];
       change = std::max(change, Float(abs(now - before[i])));
       before[i] = now;
     }
     if (number >= first_judged_level && change <= enough) break;
   }
-  for (std::size_t i = 0; i < Parts; ++i) sum[i] += before[i];
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += before[i];
 }
 
-template <std::size_t Parts>
-void InnerField::add_half_plane(const SheetPoint& at, int face, const FloatShares& shares,
-                                std::array<Float, Parts>& sum) const {
+template <class Parts>
+void InnerField::add_half_plane(const SheetPoint& at, int face, const FloatShares& shares, Parts& sum) const {
   const Float from_middle = at.alpha - source_.middle;
   const FacePoint point{source_.half_length + from_middle, source_.half_length - from_middle,
                         1 - face * at.depth, face, shares};
@@ -119,11 +118,13 @@ void InnerField::add_half_plane(const SheetPoint& at, int face, const FloatShare
               far = std::max(point.from_left, point.from_right);
   if (near > 0) {
     add_segment(0, near, point, sum);
-    if (Parts == 3 && point.distance == 0) {
-      const PressureAndShear here = source_.tractions(point.from_left, point.from_right);
-      sum[0] -= here.pressure;
-      sum[1] -= here.pressure;
-      sum.back() += face * here.shear;
+    if constexpr (are_stresses<Parts>) {
+      if (point.distance == 0) {
+        const PressureAndShear here = source_.tractions(point.from_left, point.from_right);
+        sum[across] -= here.pressure;
+        sum[along] -= here.pressure;
+        sum[shear] += face * here.shear;
+      }
     }
   }
   if (far > near) add_segment(abs(near), far, point, sum);
@@ -184,18 +185,17 @@ const std::vector<InnerField::Wave>& InnerField::waves(const Float& alpha) const
   return made;
 }
 
-/// With a = 2 sinh z/D and b = 2 cosh z/D the symbol is [first a + second z b] C + third s z a E under the pressure and
-/// [first b + second z a] C + third s z b E under the shear. C is cosh sz, or sinh sz if it is odd in the depth, and E
-/// is the other. From each product of a or b with C or E the part of both half-planes is subtracted: 2 e^-z C or
-/// 2 e^-z E. The pressure is multiplied by sin or cos of z (alpha - alpha'), the shear then by -cos or sin.
+/// With a = 2 sinh z/D and b = 2 cosh z/D the symbol is [under_pressure a + by_z z b] C + by_sz s z a E under the
+/// pressure and [under_shear b + by_z z a] C + by_sz s z b E under the shear. C is cosh sz, or sinh sz if it is odd in
+/// the depth, and E is the other. From each product of a or b with C or E the part of both half-planes is subtracted:
+/// 2 e^-z C or 2 e^-z E. The pressure is multiplied by sin or cos of z (alpha - alpha'), the shear then by -cos or sin.
 struct InnerField::Form {
-  bool sine, odd_in_depth;
-  Float first_pressure, first_shear, second, third;
+  bool sine = false, odd_in_depth = false;
+  Float under_pressure = 0, under_shear = 0, by_z = 0, by_sz = 0;
 };
 
-template <std::size_t Parts>
-void InnerField::add_sheet_rest(const SheetPoint& point, const std::array<Form, Parts>& forms,
-                                std::array<Float, Parts>& sum) const {
+template <class Parts>
+void InnerField::add_sheet_rest(const SheetPoint& point, const FormsOf<Parts>& forms, Parts& sum) const {
   const auto& [alpha, s] = point;
   for (const Wave& wave : waves(alpha)) {
     const Float &z = wave.z, growth = exp(s * z), inverse = 1 / growth;
@@ -209,41 +209,46 @@ void InnerField::add_sheet_rest(const SheetPoint& point, const std::array<Form, 
     }
     const SineAndCosine at(z * (alpha - source_.middle));
     const PressureAndShear &c = wave.cosine, &i = wave.sine;
-    for (std::size_t part = 0; part < Parts; ++part) {
-      const auto& [sine, odd_in_depth, first_pressure, first_shear, second, third] = forms[part];
-      const std::size_t C = odd_in_depth ? 1 : 0, E = 1 - C;
-      const Float second_z = second * z, third_z = third * s * z,
-                  pressed = first_pressure * a[C] + second_z * b[C] + third_z * a[E],
-                  sheared = first_shear * b[C] + second_z * a[C] + third_z * b[E];
-      const Float waved = sine ? pressed * (at.sine * c.pressure - at.cosine * i.pressure) -
-                                     sheared * (at.cosine * c.shear + at.sine * i.shear)
-                               : pressed * (at.cosine * c.pressure + at.sine * i.pressure) +
-                                     sheared * (at.sine * c.shear - at.cosine * i.shear);
-      sum[part] += (Parts == 3 ? wave.weight : Float(wave.weight / z)) * waved;
+    for (std::size_t part = 0; part < sum.size(); ++part) {
+      const Form& form = forms[part];
+      const std::size_t C = form.odd_in_depth ? 1 : 0, E = 1 - C;
+      const Float by_z = form.by_z * z, by_sz = form.by_sz * s * z,
+                  pressed = form.under_pressure * a[C] + by_z * b[C] + by_sz * a[E],
+                  sheared = form.under_shear * b[C] + by_z * a[C] + by_sz * b[E];
+      const Float waved = form.sine ? pressed * (at.sine * c.pressure - at.cosine * i.pressure) -
+                                          sheared * (at.cosine * c.shear + at.sine * i.shear)
+                                    : pressed * (at.cosine * c.pressure + at.sine * i.pressure) +
+                                          sheared * (at.sine * c.shear - at.cosine * i.shear);
+      sum[part] += (are_stresses<Parts> ? wave.weight : Float(wave.weight / z)) * waved;
     }
   }
 }
 
-template <std::size_t Parts>
-std::array<Float, Parts> InnerField::sums(const SheetPoint& point, const FloatShares& shares,
-                                          const std::array<Form, Parts>& forms) const {
-  std::array<Float, Parts> sum;
+template <class Parts>
+Parts InnerField::sums(const SheetPoint& point, const FloatShares& shares,
+                       const FormsOf<Parts>& forms) const {
+  Parts sum;
   for (const int face : {1, -1}) add_half_plane(point, face, shares, sum);
   add_sheet_rest(point, forms, sum);
   return sum;
 }
 
 FloatStresses InnerField::at(const SheetPoint& point) const {
-  const auto [across, along, shear] = sums<3>(
-      point, {}, {{{false, false, -1, 0, -1, 1}, {false, false, -1, -2, 1, -1}, {true, true, 0, -1, 1, -1}}});
-  return {across, along, shear};
+  const Stresses sum =
+      sums<Stresses>(point, {},
+                     {Form{.under_pressure = -1, .by_z = -1, .by_sz = 1},
+                      Form{.under_pressure = -1, .under_shear = -2, .by_z = 1, .by_sz = -1},
+                      Form{.sine = true, .odd_in_depth = true, .under_shear = -1, .by_z = 1, .by_sz = -1}});
+  return {sum[across], sum[along], sum[shear]};
 }
 
 FloatDisplacements InnerField::displacements(const SheetPoint& point, const FloatShares& shares) const {
   const auto& [t1, t2] = shares;
-  const auto [across, along] =
-      sums<2>(point, shares, {{{false, true, -1, -t2, -t1, t1}, {true, false, -t2, -1, t1, -t1}}});
-  return {across, along};
+  const Displacements sum = sums<Displacements>(
+      point, shares,
+      {Form{.odd_in_depth = true, .under_pressure = -1, .under_shear = -t2, .by_z = -t1, .by_sz = t1},
+       Form{.sine = true, .under_pressure = -t2, .under_shear = -1, .by_z = t1, .by_sz = -t1}});
+  return {sum[across], sum[along]};
 }
 
 namespace {

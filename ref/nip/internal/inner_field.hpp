@@ -76,27 +76,28 @@ class InnerField {
     Float z, weight, sinh_part, cosh_part, fall;
     PressureAndShear cosine, sine;
   };
+  enum Part : std::size_t { across, along, shear };
+  using Stresses = std::array<Float, 3>;
+  using Displacements = std::array<Float, 2>;  ///< across and along
+  template <class Parts>
+  static constexpr bool are_stresses = std::is_same_v<Parts, Stresses>;
   /// The symbols of a stress or a displacement.
   struct Form;
-  /// Stresses are across, along and shear; displacements are across and along.
-  using Stresses = std::array<Float, 3>;
-  using Displacements = std::array<Float, 2>;
+  template <class Parts>
+  using FormsOf = std::array<Form, std::tuple_size_v<Parts>>;
 
   /// The nodes of the double exponential rule that this level adds to the levels before it.
   [[nodiscard]] const std::vector<UnitPoint>& level(int number) const;
   /// The stresses or the displacements at a point.
-  template <std::size_t Parts>
-  [[nodiscard]] std::array<Float, Parts> sums(const SheetPoint& point, const FloatShares& shares,
-                                              const std::array<Form, Parts>& forms) const;
-  template <std::size_t Parts>
-  void add_segment(const Float& start, const Float& end, const FacePoint& point,
-                   std::array<Float, Parts>& sum) const;
-  template <std::size_t Parts>
-  void add_half_plane(const SheetPoint& at, int face, const FloatShares& shares,
-                      std::array<Float, Parts>& sum) const;
-  template <std::size_t Parts>
-  void add_sheet_rest(const SheetPoint& point, const std::array<Form, Parts>& forms,
-                      std::array<Float, Parts>& sum) const;
+  template <class Parts>
+  [[nodiscard]] Parts sums(const SheetPoint& point, const FloatShares& shares,
+                           const FormsOf<Parts>& forms) const;
+  template <class Parts>
+  void add_segment(const Float& start, const Float& end, const FacePoint& point, Parts& sum) const;
+  template <class Parts>
+  void add_half_plane(const SheetPoint& at, int face, const FloatShares& shares, Parts& sum) const;
+  template <class Parts>
+  void add_sheet_rest(const SheetPoint& point, const FormsOf<Parts>& forms, Parts& sum) const;
   [[nodiscard]] const std::vector<Charge>& charges() const;
   [[nodiscard]] const std::vector<Wave>& waves(const Float& alpha) const;
 
