@@ -142,37 +142,41 @@ BoundedColumn ChebyshevSystem::proven(const std::vector<Float>& coefficients, co
   for (const Float& coefficient : coefficients) c.push_back(interval_of(coefficient));
   const Interval zero(bits);
   BoundedColumn result{{half_length, c, zero, zero, zero}, zero};
-  // The arguments of J are rounded, and the system has only one half length of the interval.
   const EntryBounds decay = entry_bounds(half_length, size_);
+  const Interval lambda = coercivity(half_length, frictionless_stiffness);
+  // The arguments of J are rounded, and the system has only one half length of the interval.
   const Interval unit = interval_of(std::numeric_limits<Float>::epsilon());
   const Interval entry_error = interval_of(kernel_error_) + argument_units * ((half_length + 1) * unit);
-  const Interval apart = distance_from(half_length_, half_length);
+  const Interval length_error = distance_from(half_length_, half_length);
   for (const Parity& parity : parities_) {
-    const long rest = 2 * n + parity.first % 2;  // the first m of the rows that are not computed
+    const long uncomputed = 2 * n + parity.first % 2;  // the first m whose row is not computed
     const auto [at_nodes, smooth] = applied_to(parity, c);
     const Interval node_sum = sum_of_magnitudes(at_nodes);
-    Interval unknowns(bits), sum(bits);  // sum |x_m|
+    Interval x_sum(bits), computed_square(bits);  // sum |x_m|, and |r|^2 of the computed rows
     for (long m = parity.first; m < end(); m += 2) {
-      unknowns = unknowns + sqrt_of(m) * magnitude_of(c[at(m)]);
-      sum = sum + m * square(c[at(m)] + 2 * smooth[at(m)] / (n * n) - right.coefficients[at(m)]);
+      x_sum = x_sum + sqrt_of(m) * magnitude_of(c[at(m)]);
+      computed_square =
+          computed_square + m * square(c[at(m)] + 2 * smooth[at(m)] / (n * n) - right.coefficients[at(m)]);
     }
-    const Interval beyond = decay.power(rest) / sqrt(1 - decay.power(4));
-    const Interval folded = sqrt_of(n) * folded_entries(decay, 2 * n, rest);
-    const Interval norm = sqrt(sum) + 2 * (entry_error * node_sum) + sqrt_of(4 * n) * right.next +
-                          unknowns * (apart / half_length + folded + decay.amplitude * beyond);
-    const Interval energy_radius = magnitude_of(norm / coercivity(half_length, frictionless_stiffness));
+    // Over sum |x_m|: the residuals that another length, folded entries and the rows beyond make.
+    const Interval other_length = length_error / half_length;
+    const Interval folded = sqrt_of(n) * folded_entries(decay, 2 * n, uncomputed);
+    const Interval beyond = decay.amplitude * (decay.power(uncomputed) / sqrt(1 - decay.power(4)));
+    const Interval residual = sqrt(computed_square) + 2 * (entry_error * node_sum) +
+                              sqrt_of(4 * n) * right.next + x_sum * (other_length + folded + beyond);
+    const Interval energy_radius = magnitude_of(residual / lambda);
     const Interval radius =
         n * energy_radius + 8 * n * right.next +
-        decay.amplitude * (unknowns * tail(decay.rate, rest) +
-                           energy_radius * tail(decay.rate / 2, rest) / sqrt(1 - decay.power(2)));
+        decay.amplitude * (x_sum * tail(decay.rate, uncomputed) +
+                           energy_radius * tail(decay.rate / 2, uncomputed) / sqrt(1 - decay.power(2)));
     result.energy_radius = result.energy_radius + energy_radius;
     result.radius = result.radius + magnitude_of(radius);
     result.quadrature_error =
-        result.quadrature_error + magnitude_of(Interval::pi(bits) * decay.amplitude * unknowns *
+        result.quadrature_error + magnitude_of(Interval::pi(bits) * decay.amplitude * x_sum *
                                                decay.power(2 * n) / (1 - decay.power(4 * n)));
     if (parity.first == 1) continue;
     const Interval constant_error =
-        folded * unknowns + (entry_error + 4 * apart) * node_sum / n + 4 * half_length * radius;
+        folded * x_sum + (entry_error + 4 * length_error) * node_sum / n + 4 * half_length * radius;
     result.constant = (-smooth[0] / (n * n)).widened(magnitude_of(constant_error));
   }
   return result;
