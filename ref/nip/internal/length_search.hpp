@@ -22,8 +22,9 @@ struct Lengths {
 
 inline Float middle_of(const Float& x) { return x; }
 
-/// A search for the length that carries a load. contact_of(Lengths) returns a pointer or an optional with the contacts
-/// of these lengths, which have a load() and perhaps its growth(); it is empty if the precision does not suffice.
+/// A search for the length that carries a load. contact_of(Lengths) returns the contacts of these lengths by a pointer
+/// or an optional, which is empty if the precision does not suffice. Contacts have a load(). Contacts with a growth(),
+/// d ln W/d ln L, are sought by Newton steps, others by secant steps. A member `systems` is set to the number solved.
 struct LengthSearch {
   Exact load;
   Float length;              ///< the start, later the result, in any unit that contact_of takes
@@ -33,9 +34,8 @@ struct LengthSearch {
   Float exponent_error = 1;  ///< about the error of `exponent`
   int systems = 0;           ///< number of systems solved
 
-  /// Takes Newton steps for ln W over ln L if there is a growth(), otherwise secant steps, until W is within 10^-digits
-  /// of the load or is expected to be so after the last step. Returns false if the precision does not suffice to solve
-  /// a contact. BadInput "load" if no length is found.
+  /// Takes steps for ln W over ln L until W is within 10^-digits of the load or is expected to be so after the last
+  /// step. Returns false if the precision does not suffice to solve a contact. BadInput "load" if no length is found.
   template <class ContactOf>
   bool seek(int digits, const ContactOf& contact_of) {
     constexpr int most_steps = 60;
@@ -52,7 +52,8 @@ struct LengthSearch {
         continue;
       }
       const Float excess = log(found / to_float(load)), log_length = log(length);
-      if constexpr (requires { tried->growth(); }) {
+      constexpr bool has_growth = requires { tried->growth(); };
+      if constexpr (has_growth) {
         exponent = tried->growth();
         exponent_error = abs(excess);
       } else if (last && log_length != last->first) {
@@ -87,7 +88,8 @@ struct LengthSearch {
     if (sign_at(length - change) * sign_at(length + change) >= 0) return {};
     ++systems;
     auto contact = contact_of(lengths);
-    if constexpr (requires { contact->systems; })
+    constexpr bool has_systems = requires { contact->systems; };
+    if constexpr (has_systems)
       if (contact) contact->systems = systems;
     return contact;
   }
