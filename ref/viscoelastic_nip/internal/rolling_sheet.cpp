@@ -123,6 +123,12 @@ using Index = Matrix::Index;
 
 /// The columns of direct_row(): the known part, edge_displacement, the offset, then Re and Im of each b_j n_j.
 constexpr Index known = 0, edge = 1, shift = 2, first_memory = 3;
+/// The two rows or columns of a complex number, from its first one on.
+constexpr Index real_part = 0, imaginary_part = 1;
+
+struct EvenAndOdd {
+  Matrix even, odd;
+};
 
 /// The functionals int kind p/pi of an even and of an odd pressure.
 std::vector<LineFunctional> both_parts(Influence kind) {
@@ -146,15 +152,12 @@ std::vector<TractionPanel> outside_panels(const Float& far, const Resolution& re
 void append(std::vector<TracePanel>& panels, const std::vector<TractionPanel>& growing, const Float& place,
             bool downstream, bool has_root, int extra_terms) {
   using Root = TracePanel::Root;
+  const Root end = downstream ? Root::left : Root::right;
   std::vector<TracePanel> added;
   for (const TractionPanel& panel : growing) {
     const Float left = downstream ? Float(place + panel.left) : Float(place - panel.left - panel.width);
     const bool root = has_root && panel.left == 0;
-    added.push_back({left, panel.width,
-                     !root        ? Root::none
-                     : downstream ? Root::left
-                                  : Root::right,
-                     panel.terms + (root ? extra_terms : 0)});
+    added.push_back({left, panel.width, root ? end : Root::none, panel.terms + (root ? extra_terms : 0)});
   }
   if (!downstream) std::ranges::reverse(added);
   panels.insert(panels.end(), added.begin(), added.end());
@@ -188,7 +191,7 @@ class RollingSolution : public NipSolution {
         sheet_(sheet),
         outside_(outside_panels(kernels.far(), sheet_.resolution(), tractions_.panels().front(), nats)),
         nats_(nats) {
-    const std::array<Matrix, 2> parts = bounded_parts();
+    const EvenAndOdd parts = bounded_parts();
     const Matrix zero = conditions(parts);
     const Index unknown = zero.rows(), columns = tractions_.columns();
     amplitudes_ = Vector(unknown + 1);
@@ -196,8 +199,8 @@ class RollingSolution : public NipSolution {
     amplitudes_.bottomRows(unknown) = ref::solve<Float>(zero.rightCols(unknown), -zero.col(known));
     edge_displacement_ = amplitudes_(edge) * half_length() * half_length();
     offset_ = amplitudes_(shift) * half_length();
-    const Vector even = Matrix(parts[0].topRows(columns)) * amplitudes_,
-                 odd = Matrix(parts[1].topRows(columns)) * amplitudes_;
+    const Vector even = Matrix(parts.even.topRows(columns)) * amplitudes_,
+                 odd = Matrix(parts.odd.topRows(columns)) * amplitudes_;
     leading_ = even + odd;
     trailing_ = even - odd;
     load_ = 2 * tractions_.integral().cwiseProduct(even).sum();
@@ -260,8 +263,8 @@ class RollingSolution : public NipSolution {
       for (int k = 0; k < 3; ++k)
         powers[static_cast<std::size_t>(k)] += (amplitude * faded_power(rate, x, k)).re;
       const ComplexFloat wave = exp(-(rate * x)) * Float(size * size);
-      row(first_memory + 2 * j) = wave.re;
-      row(first_memory + 2 * j + 1) = -wave.im;
+      row(first_memory + 2 * j + real_part) = wave.re;
+      row(first_memory + 2 * j + imaginary_part) = -wave.im;
     }
     row(known) = 2 * size * powers[1] - 2 * powers[2];
     row(edge) = size * size * powers[0];
@@ -292,9 +295,10 @@ class RollingSolution : public NipSolution {
               exp(-(sheet_.material.normal[static_cast<std::size_t>(m)].rate * way)) * weight;
           for (Index part = 0; part < 2; ++part) {
             const Vector& row = rows[static_cast<std::size_t>(part)];
-            result.row(2 * m).middleCols(part * columns, columns) += factor.re * row.transpose();
+            result.row(2 * m + real_part).middleCols(part * columns, columns) += factor.re * row.transpose();
             if (!factor.is_real())
-              result.row(2 * m + 1).middleCols(part * columns, columns) += factor.im * row.transpose();
+              result.row(2 * m + imaginary_part).middleCols(part * columns, columns) +=
+                  factor.im * row.transpose();
           }
         }
       }
@@ -303,7 +307,7 @@ class RollingSolution : public NipSolution {
   }
 
   /// The even and the odd part of the pressure for each column of direct_row(), with the constant or the line below it.
-  [[nodiscard]] std::array<Matrix, 2> bounded_parts() const {
+  [[nodiscard]] EvenAndOdd bounded_parts() const {
     const std::vector<Float> points = tractions_.matching_points();
     const auto rows = static_cast<Index>(points.size());
     const Index beside = tractions_.columns(), sides = direct_row(0).size();
@@ -325,27 +329,31 @@ class RollingSolution : public NipSolution {
 
   /// The numbers that must be 0, by the columns of direct_row(): the constant, the line, and for each n_j, in real and
   /// imaginary part, n_j less the n_j of the pressure.
-  [[nodiscard]] Matrix conditions(const std::array<Matrix, 2>& parts) const {
-    const Index columns = tractions_.columns(), sides = parts[0].cols();
+  [[nodiscard]] Matrix conditions(const EvenAndOdd& parts) const {
+    constexpr Index constant = 0, line = 1, first_condition = 2;
+    const Index columns = tractions_.columns(), sides = parts.even.cols();
     const Float square = half_length() * half_length();
     const Matrix rows = memory_rows();
-    const Matrix remembered = Matrix(rows.leftCols(columns)) * Matrix(parts[0].topRows(columns)) +
-                              Matrix(rows.rightCols(columns)) * Matrix(parts[1].topRows(columns));
+    const Matrix remembered = Matrix(rows.leftCols(columns)) * Matrix(parts.even.topRows(columns)) +
+                              Matrix(rows.rightCols(columns)) * Matrix(parts.odd.topRows(columns));
     Matrix result(sides - 1, sides);
-    result.row(0) = parts[0].row(columns);
-    result.row(1) = parts[1].row(columns);
-    Index row = 2;
+    result.row(constant) = parts.even.row(columns);
+    result.row(line) = parts.odd.row(columns);
+    Index row = first_condition, column = first_memory;
     for (const auto& [amplitude, rate] : sheet_.inverse) {
-      result(row, row + 1) = 1;
-      result(row + 1, row + 2) = 1;
-      Index re = 0;
+      result(row + real_part, column + real_part) = 1;
+      result(row + imaginary_part, column + imaginary_part) = 1;
+      Index its_row = 0;
       for (const auto& [its_amplitude, its_rate] : sheet_.material.normal) {
         const ComplexFloat factor = amplitude * its_amplitude / (rate - its_rate) / square;
-        result.row(row) -= factor.re * remembered.row(re) - factor.im * remembered.row(re + 1);
-        result.row(row + 1) -= factor.re * remembered.row(re + 1) + factor.im * remembered.row(re);
-        re += 2;
+        const auto real = remembered.row(its_row + real_part),
+                   imaginary = remembered.row(its_row + imaginary_part);
+        result.row(row + real_part) -= factor.re * real - factor.im * imaginary;
+        result.row(row + imaginary_part) -= factor.re * imaginary + factor.im * real;
+        its_row += 2;
       }
       row += 2;
+      column += 2;
     }
     return result;
   }
