@@ -20,10 +20,15 @@ namespace {
 std::size_t at(long k) { return static_cast<std::size_t>(k); }
 
 // The equations in double, Float or intervals. (ref/elastic_nip/README.md, Contacts with full friction, (2) and (3))
+//
+// Each complex number is a real one times a power of i, and only the real one is kept: alpha_k, whose power is i^k;
+// omega_j over i^j; phi_n over i^{1 - n}; and of the coefficients of T_m and of sin(m theta) the real part for odd m,
+// which belongs to the pressure and to u, and the imaginary part for even m, which belongs to the shear and to v.
 
-/// x i^m if m is even, x i^{m-1} if m is odd.
+/// The part of i^m x that is not 0: the real part for even m, the imaginary part for odd m. For i^{1 - m} x it is the
+/// same, with the parts exchanged.
 template <class Number>
-Number with_sign_of(long m, const Number& x) {
+Number turned(long m, const Number& x) {
   return (m & 2) != 0 ? Number(-x) : x;
 }
 
@@ -39,7 +44,7 @@ struct GrippedSystem {
   long size;                    ///< N, even
   Number zero, root, share;     ///< 0, sqrt(1 - beta^2) and 4/N^2
   std::vector<Number> cosines;  ///< cos(k pi/(2N)), k < 4N
-  std::vector<Number> powers;   ///< omega_j divided by i^j
+  std::vector<Number> omegas;   ///< omega_j
   /// J, I3 and J - int I3 at A (t_i - t_j), with a row for each t_i > 0. The rows of -t_i follow by parity.
   std::vector<Number> normal, coupling, along;
 
@@ -48,25 +53,25 @@ struct GrippedSystem {
     return cosines[at((k % period + period) % period)];
   }
 
-  /// The coefficient of zeta^n in 4 Omega h, divided by i^{1 - n}.
-  [[nodiscard]] Number outer(const std::vector<Number>& alpha, long n) const {
+  /// 4 phi_n, the coefficient of zeta^n in 4 Omega h.
+  [[nodiscard]] Number four_phi(const std::vector<Number>& alpha, long n) const {
     Number sum = zero;
     for (long k = std::max(0L, n - 1); k < static_cast<long>(alpha.size()); ++k) {
-      const Number term = alpha[at(k)] * powers[at(1 + k - n)];
+      const Number term = alpha[at(k)] * omegas[at(1 + k - n)];
       sum = k % 2 == 0 ? Number(sum + term) : Number(sum - term);
     }
     for (long k = 0; k <= std::min(1 - n, static_cast<long>(alpha.size()) - 1); ++k)
-      sum = sum + alpha[at(k)] * powers[at(1 - n - k)];
+      sum = sum + alpha[at(k)] * omegas[at(1 - n - k)];
     return sum;
   }
 
-  /// Coefficients of sin(m theta) in the tractions over 2A. Odd m belong to the pressure, even m to the shear.
+  /// c_m: the coefficients of sin(m theta) in gamma.
   [[nodiscard]] std::vector<Number> sines(const std::vector<Number>& alpha) const {
     std::vector<Number> result(at(size), zero);
     for (long m = 1; m < size; ++m) {
-      const Number above = outer(alpha, m), below = outer(alpha, -m);
+      const Number above = four_phi(alpha, m), below = four_phi(alpha, -m);
       const Number both = m % 2 == 0 ? Number(above - below) : Number(above + below);
-      result[at(m)] = with_sign_of(m, Number(root * both / 4));
+      result[at(m)] = turned(m, Number(root * both / 4));
     }
     return result;
   }
@@ -86,7 +91,7 @@ struct GrippedSystem {
   }
 
   /// sum of m c_m cos(m theta_i) over m = first, first + 2, ..
-  [[nodiscard]] std::vector<Number> slopes(const std::vector<Number>& sines, long first) const {
+  [[nodiscard]] std::vector<Number> node_sums(const std::vector<Number>& sines, long first) const {
     std::vector<Number> result(at(size), zero);
     for (long i = 0; i < size; ++i)
       for (long m = first; m < size; m += 2)
@@ -94,15 +99,15 @@ struct GrippedSystem {
     return result;
   }
 
-  /// Coefficients of T_m in the slopes that the tractions cause, over -2A^2. Odd m belong to u, even m to v.
-  [[nodiscard]] std::vector<Number> rows(const std::vector<Number>& alpha,
-                                         const std::vector<Number>& sines) const {
-    const auto [u, v] = smooth(slopes(sines, 1), slopes(sines, 2));
+  /// The coefficients of T_m in the slopes that the tractions cause, over -2A^2.
+  [[nodiscard]] std::vector<Number> slopes(const std::vector<Number>& alpha,
+                                           const std::vector<Number>& sines) const {
+    const auto [u, v] = smooth(node_sums(sines, 1), node_sums(sines, 2));
     std::vector<Number> result(at(size), zero);
     for (long m = 0; m < size; ++m) {
       Number sum = zero;
       for (long i = 0; i < size / 2; ++i) sum = sum + (m % 2 == 0 ? v : u)[at(i)] * cosine(m * (2 * i + 1));
-      result[at(m)] = with_sign_of(m, Number(root * outer(alpha, m) / 2)) + share * sum;
+      result[at(m)] = turned(m, Number(root * four_phi(alpha, m) / 2)) + share * sum;
     }
     result[0] = result[0] / 2;
     return result;
@@ -124,10 +129,10 @@ GrippedSystem<Number> converted(const GrippedSystem<Interval>& from) {
     return result;
   };
   return {from.size,        one(from.zero),   one(from.root),     one(from.share), all(from.cosines),
-          all(from.powers), all(from.normal), all(from.coupling), all(from.along)};
+          all(from.omegas), all(from.normal), all(from.coupling), all(from.along)};
 }
 
-/// The coefficients of y^j in ((1 + y)/(1 - y))^{2 i epsilon} (1 - y^2)^{order}, order 0 or 1, j < count, over i^j.
+/// The coefficients of (iy)^j in ((1 + y)/(1 - y))^{2 i epsilon} (1 - y^2)^{order}, order 0 or 1, j < count.
 std::vector<Interval> power_series(const Interval& epsilon, long order, long count) {
   std::vector<Interval> f{Interval(1L, epsilon.precision()), 4 * epsilon};
   for (long j = 1; j + 1 < count; ++j)
@@ -240,7 +245,7 @@ class GrippedContact final : public ProvenResults {
     GrippedSystem<Interval> system{
         N, Interval(bits), sqrt(1 - square(beta_)), Interval(4L, bits) / (N * N), {}, {}, {}, {}, {}};
     for (long k = 0; k < 4 * N; ++k) system.cosines.push_back(cosines(k));
-    system.powers = power_series(epsilon_, 1, 2 * N);
+    system.omegas = power_series(epsilon_, 1, 2 * N);
     const Float A = middle_of(A_);
     std::vector<Float> places;
     for (long i = 0; i < N; ++i) places.push_back(A * middle_of(cosines(2 * i + 1)));
@@ -264,14 +269,14 @@ class GrippedContact final : public ProvenResults {
     for (long k = 0; k < unknowns; ++k) {
       std::vector<double> unit(at(unknowns), 0.0);
       unit[at(k)] = 1;
-      const std::vector<double> rows = in_double.rows(unit, in_double.sines(unit));
-      for (long m = 0; m < unknowns; ++m) matrix(m, k) = rows[at(m + 1)];
+      const std::vector<double> slopes = in_double.slopes(unit, in_double.sines(unit));
+      for (long m = 0; m < unknowns; ++m) matrix(m, k) = slopes[at(m + 1)];
     }
     const auto apply = [&](const Vector& x) {
       const std::vector<Float> alpha(x.data(), x.data() + unknowns);
-      const std::vector<Float> rows = in_float.rows(alpha, in_float.sines(alpha));
+      const std::vector<Float> slopes = in_float.slopes(alpha, in_float.sines(alpha));
       Vector result(unknowns);
-      for (long m = 0; m < unknowns; ++m) result(m) = rows[at(m + 1)];
+      for (long m = 0; m < unknowns; ++m) result(m) = slopes[at(m + 1)];
       return result;
     };
     Vector right(unknowns);
@@ -284,10 +289,10 @@ class GrippedContact final : public ProvenResults {
   /// Computes the bounds of (4) and (5): of |dx|, of max |f'|, and of the error of the creep.
   void prove(const GrippedSystem<Interval>& system) {
     const long N = size_;
-    const std::vector<Interval> sines = system.sines(alpha_), rows = system.rows(alpha_, sines);
+    const std::vector<Interval> sines = system.sines(alpha_), slopes = system.slopes(alpha_, sines);
     Interval residual(working_bits()), unknowns(working_bits());
     for (long m = 1; m < N; ++m) {
-      residual = residual + m * m * magnitude_of(m == 1 ? 1 - rows[at(m)] : rows[at(m)]);
+      residual = residual + m * m * magnitude_of(m == 1 ? 1 - slopes[at(m)] : slopes[at(m)]);
       unknowns = unknowns + sqrt(Interval(m, working_bits())) * magnitude_of(sines[at(m)]);
     }
     // The errors of the kernels' values: their own, those of rounded arguments, and those of an A that is an interval.
@@ -295,7 +300,7 @@ class GrippedContact final : public ProvenResults {
     const Interval entry_error =
         kernels_->error() + 3 * (argument_units * ((A_ + 1) * unit) + 4 * distance_from(middle_of(A_), A_));
     const Interval node_sum =
-        sum_of_magnitudes(system.slopes(sines, 1)) + sum_of_magnitudes(system.slopes(sines, 2));
+        sum_of_magnitudes(system.node_sums(sines, 1)) + sum_of_magnitudes(system.node_sums(sines, 2));
     const EntryBounds decay = gripped_bounds(A_, N);
     const Interval beyond = 2 * sum_of_magnitudes(alpha_), whole = square_tail(decay.rate, N),
                    half = square_tail(decay.rate / 2, N);
@@ -309,7 +314,7 @@ class GrippedContact final : public ProvenResults {
                                     sqrt(1 - slow.power(1)));
     first_ = sines[1].widened(energy_error_);
     creep_error_ = missed + (3 * A_ + 1) * energy_error_;
-    creep_ = (-rows[0]).widened(creep_error_);
+    creep_ = (-slopes[0]).widened(creep_error_);
     find_displacement(system, sines, decay, entry_error);
   }
 
@@ -326,7 +331,7 @@ class GrippedContact final : public ProvenResults {
         Interval& traction = (m % 2 == 0 ? q : p)[at(i)];
         traction = traction + sines[at(m)] * wave;
         Interval& weight = (m % 2 == 0 ? even : odd)[at(i)];
-        weight = weight + with_sign_of(m, weights[at(m)] * system.cosine(turn));
+        weight = weight + turned(m, weights[at(m)] * system.cosine(turn));
       }
     }
     const auto [u, v] = system.smooth(p, q);
@@ -358,7 +363,7 @@ class GrippedContact final : public ProvenResults {
     Interval even(bits), odd(bits);
     for (long k = 0; k < static_cast<long>(alpha_.size()); ++k) {
       Interval& sum = k % 2 == 0 ? even : odd;
-      sum = sum + with_sign_of(k, alpha_[at(k)] * cos(k * theta));
+      sum = sum + turned(k, alpha_[at(k)] * cos(k * theta));
     }
     const Interval value = shear ? sin(turn) * even + cos(turn) * odd : cos(turn) * even - sin(turn) * odd;
     const Interval traction = 2 * A_ * (sine * value.widened(error));
@@ -376,7 +381,7 @@ class GrippedContact final : public ProvenResults {
       ComplexInterval h = zero, slope = zero, curvature = zero;
       for (long k = 0; k < static_cast<long>(alpha_.size()); ++k) {
         const auto part = [&](ComplexInterval& x) -> Interval& { return k % 2 == 0 ? x.re : x.im; };
-        const Interval alpha = with_sign_of(k, alpha_[at(k)]), wave = alpha * cos(k * theta);
+        const Interval alpha = turned(k, alpha_[at(k)]), wave = alpha * cos(k * theta);
         part(h) = part(h) + wave;
         part(slope) = part(slope) - k * (alpha * sin(k * theta));
         part(curvature) = part(curvature) - k * k * wave;
