@@ -213,7 +213,7 @@ Row<ComplexFloat> SlipContact::point_row(const PointIndex& index) const {
 }
 
 Eigen::MatrixXd SlipContact::slopes() const {
-  const auto [normal, coupling, tangential] = smooth_.slopes();
+  const auto [U, V, S] = smooth_.slopes();
   const auto beta = static_cast<double>(problem().beta);
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(equations_.count() + conditions_.count(), sizes_.count());
   GridIndex number = 0;
@@ -223,6 +223,11 @@ Eigen::MatrixXd SlipContact::slopes() const {
       if (column >= 0) matrix(number, column) += factor * slopes(i);
     }
   };
+  // The parts of point_row().
+  const GridIndex values = panels_.values(), points = U.rows();
+  const auto cauchy_of = [=](const ComplexRow& row) { return row.head(values); };
+  const auto lagrange_of = [=](const ComplexRow& row) { return row.segment(values, points); };
+  const auto linear_of = [](const ComplexRow& row) { return row.tail(2); };
   // The rows of an equation are kept for the next ones.
   std::deque<std::pair<PointIndex, Row<ComplexFloat>>> rows;
   const auto row_at = [&](const PointIndex& index) -> const Row<ComplexFloat>* {
@@ -234,20 +239,19 @@ Eigen::MatrixXd SlipContact::slopes() const {
   for (const auto& [at, less, part, scale] : equations_) {
     const Row<ComplexFloat>*here = row_at(at), *there = less ? row_at(*less) : nullptr;
     const auto in_double = static_cast<double>(scale);
-    const ComplexRow direct = in_double * difference(here, there, here->count());
-    // The tangential equation enters with the factor i.
-    const ComplexRow turned = std::complex<double>(0, in_double) *
-                              difference(sticks(at.panel) ? here : nullptr,
-                                         less && sticks(less->panel) ? there : nullptr, here->count());
-    OfBoth<ComplexRow> slopes{direct.head(panels_.values()), turned.head(panels_.values())};
+    // The factors of the normal equation, and those of the tangential one, which enters with the factor i.
+    const ComplexRow normal = in_double * difference(here, there, here->count());
+    const ComplexRow tangential = std::complex<double>(0, in_double) *
+                                  difference(sticks(at.panel) ? here : nullptr,
+                                             less && sticks(less->panel) ? there : nullptr, here->count());
+    OfBoth<ComplexRow> slopes{cauchy_of(normal), cauchy_of(tangential)};
     // Across a joint the other terms are continuous, and their difference is 0.
     if (!less || less->panel == at.panel) {
-      const auto smooth = [&](const ComplexRow& row) { return row.segment(panels_.values(), normal.rows()); };
       const GridIndex ends = panels_[at.panel].first + grid_->nodes();
-      slopes[pressure_part] += smooth(direct) * normal + smooth(turned) * coupling;
-      slopes[shear_part] += smooth(turned) * tangential - smooth(direct) * coupling;
-      slopes[pressure_part].segment(ends, 2) -= beta * turned.tail(2);
-      slopes[shear_part].segment(ends, 2) += beta * direct.tail(2);
+      slopes[pressure_part] += lagrange_of(normal) * U + lagrange_of(tangential) * V;
+      slopes[shear_part] += lagrange_of(tangential) * S - lagrange_of(normal) * V;
+      slopes[pressure_part].segment(ends, 2) -= beta * linear_of(tangential);
+      slopes[shear_part].segment(ends, 2) += beta * linear_of(normal);
     }
     for (std::size_t of : {pressure_part, shear_part})
       add(of, part == 0 ? Eigen::VectorXd(slopes[of].real()) : Eigen::VectorXd(slopes[of].imag()));
