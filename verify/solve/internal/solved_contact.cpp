@@ -51,13 +51,6 @@ Estimate moment_of_pressure(const SolvedContact<Estimate>& contact, bool is_lead
   return {fine.value, fine.error + 2 * std::fabs(fine.value - coarse.value)};
 }
 
-/// The factor by which the size of a traction is larger next to an end of the contact, 1 elsewhere.
-double growth_next_to_end(double y, const ContactEnds& ends, double accuracy) {
-  const double half = (ends.last - ends.first) / 2;
-  const double distance = std::min(std::fabs(y - ends.first), std::fabs(y - ends.last)) / half;
-  return std::max(1.0, std::numbers::sqrt2 / (std::sqrt(distance + accuracy) + std::sqrt(distance)));
-}
-
 /// The factor of the rolling resistance in `product`, without the load.
 template <class Number>
 double given_factor(const SolvedContact<Number>& contact, ResultId product) {
@@ -110,6 +103,34 @@ void answer_by_others(const SolvedContact<Number>& contact, Asked<Number>& asked
   }
 }
 
+/// What the sizes of a contact's results are made of, see data::Scale.
+template <class Number>
+struct Sizes {
+  const SolvedContact<Number>& contact;
+  double accuracy;
+  bool is_nip = contact.roller_radius > 0;
+  ContactEnds ends = contact.ends();
+  /// L/2, the slope of a roller at an end, and L/(4R)
+  double half = (ends.last - ends.first) / 2, slope = half / contact.roller_radius, creep = slope / 2;
+
+  [[nodiscard]] double number(ResultId id) const { return value_of(contact.number(id)); }
+  /// The normal displacement of a half-space below the centre.
+  [[nodiscard]] double depth() const { return value_of(contact.at(ResultId::normal_displacement, 0)); }
+  [[nodiscard]] double pressure() const {
+    return is_nip ? value_of(contact.at(ResultId::pressure, 0)) : number(ResultId::peak_pressure);
+  }
+  /// The factor by which the size of a traction is larger next to an end of the contact, 1 elsewhere.
+  [[nodiscard]] double growth_next_to_end(double y) const {
+    const double distance = std::min(std::fabs(y - ends.first), std::fabs(y - ends.last)) / half;
+    return std::max(1.0, std::numbers::sqrt2 / (std::sqrt(distance + accuracy) + std::sqrt(distance)));
+  }
+  [[nodiscard]] double flat_maximum_depth() const { return (1e-6 + 10 * std::sqrt(accuracy)) / accuracy; }
+  /// Where little or nothing slips, the resistance is small or 0; the error is measured against what friction could add.
+  [[nodiscard]] double rolling_resistance() const {
+    return slope * std::min(1.0, 1e-14 / accuracy) + 0.1 * std::min(contact.friction, 1.0) * creep;
+  }
+};
+
 }  // namespace
 
 bool is_moment(ResultId id) { return id == ResultId::leading_moment || id == ResultId::trailing_moment; }
@@ -143,58 +164,47 @@ double result_size(const SolvedContact<Number>& contact, ResultId id, double y, 
   const data::SceneResult& result = data::scene_result(id);
   if (contact.measure == Measure::itself && !result.is_inside() && id != ResultId::peak_pressure_position)
     return 0;
-  const bool is_nip = contact.roller_radius > 0;
-  const ContactEnds ends = contact.ends();
-  const double half = (ends.last - ends.first) / 2, slope = half / contact.roller_radius;
-  const double flat_maximum = (1e-6 + 10 * std::sqrt(accuracy)) / accuracy;
-  const double rounding_of_slope = slope * std::min(1.0, 1e-14 / accuracy);
-  // Where little or nothing slips, the resistance is small or 0; the error is measured against what friction could add.
-  const double resistance = rounding_of_slope + 0.1 * std::min(contact.friction, 1.0) * slope / 2;
-  const auto indentation = [&] { return value_of(contact.at(ResultId::normal_displacement, 0)); };
-  const auto growth = [&] { return growth_next_to_end(y, ends, accuracy); };
-  const auto pressure = [&] {
-    return value_of(is_nip ? contact.at(ResultId::pressure, 0) : contact.number(ResultId::peak_pressure));
-  };
+  const Sizes<Number> of{contact, accuracy};
   switch (result.scale) {
     case Scale::itself:
       return 0;
     case Scale::half_contact:
-      return half;
+      return of.half;
     case Scale::load:
-      return value_of(contact.number(ResultId::load));
+      return of.number(ResultId::load);
     case Scale::half_contact_times_load:
-      return half * value_of(contact.number(ResultId::load));
+      return of.half * of.number(ResultId::load);
     case Scale::hundred_half_contacts:
-      return 100 * half;
+      return 100 * of.half;
     case Scale::roller_rise:
-      return is_nip ? half * slope / 2 : indentation();
+      return of.is_nip ? of.half * of.creep : of.depth();
     case Scale::creep:
-      return slope / 2;
+      return of.creep;
     case Scale::creep_next_to_end:
-      return slope / 2 * growth();
+      return of.creep * of.growth_next_to_end(y);
     case Scale::distance_times_creep:
-      return is_nip ? slope / 2 * std::min(std::fabs(y), half) : indentation();
+      return of.is_nip ? of.creep * std::min(std::fabs(y), of.half) : of.depth();
     case Scale::pressure:
-      return pressure() * growth();
+      return of.pressure() * of.growth_next_to_end(y);
     case Scale::shear:
-      return (is_nip ? 0.1 : 1) * pressure() * growth();
+      return (of.is_nip ? 0.1 : 1) * of.pressure() * of.growth_next_to_end(y);
     case Scale::tenth_of_pressure:
-      return 0.1 * pressure();
+      return 0.1 * of.pressure();
     case Scale::tenth_of_pressure_times_creep:
-      return 0.1 * pressure() * slope / 2;
+      return 0.1 * of.pressure() * of.creep;
     case Scale::flat_maximum_depth:
-      return flat_maximum;
+      return of.flat_maximum_depth();
     case Scale::flat_maximum:
-      return half * flat_maximum;
+      return of.half * of.flat_maximum_depth();
     case Scale::rolling_resistance:
-      return resistance;
+      return of.rolling_resistance();
     case Scale::product_of_resistance:
-      return resistance * std::fabs(given_factor(contact, id)) *
-             (id == ResultId::eccentricity ? 1 : value_of(contact.number(ResultId::load)));
+      return of.rolling_resistance() * std::fabs(given_factor(contact, id)) *
+             (id == ResultId::eccentricity ? 1 : of.number(ResultId::load));
     case Scale::radian:
       return 180 / std::numbers::pi;
     case Scale::span_along:
-      return value_of(contact.number(ResultId::span_along));
+      return of.number(ResultId::span_along);
     case Scale::compliance:
       return value_of(contact.at(ResultId::compliance, y));
   }
