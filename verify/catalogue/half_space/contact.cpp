@@ -134,34 +134,40 @@ double longest_span(const NamedPoint& x) {
   return 0.99 * largest;
 }
 
-/// sqrt(wS/wD) and P of a line, and B1 Q1/Q. The root of brock2012 (52) for a span exists while square(span) > 0.
-struct FiniteSpan {
-  double slowness, index, share;
+/// The quadratic equation of L/L1 for a line of a sphere of radius 1, where L1 is the span along the motion:
+///   slowness L/L1 - P L1/2 (L/L1)^2 = B1 Q1/Q     (brock2012 52, signs corrected)
+struct SpanEquation {
+  double slowness;    ///< sqrt(wS/wD)
+  double index;       ///< P
+  double right_side;  ///< B1 Q1/Q
 
-  /// `along` is the line of the motion at the span `span` of a sphere of radius 1.
-  FiniteSpan(const NamedPoint& x, double span) {
-    const fast::RollingLine line = roll(x, 1e-12).along(psi_of(x)), along = roll(x, span).along(along_motion);
+  SpanEquation(const NamedPoint& x, double L1) {
+    const fast::RollingLine line = roll(x, 1e-12).along(psi_of(x)), along = roll(x, L1).along(along_motion);
     slowness = 1 / line.shear_share;
     index = line.index;
-    share = along.amplitude / (line.amplitude / (line.lean / 2));  // B1 Q1/Q
+    const double half_Q = line.amplitude / (line.lean / 2);  // the amplitude is B Q/2, and lean is 2B
+    right_side = along.amplitude / half_Q;
   }
-  [[nodiscard]] double square(double span) const { return slowness * slowness - 2 * index * share * span; }
+  [[nodiscard]] double discriminant(double L1) const {
+    return slowness * slowness - 2 * index * right_side * L1;
+  }
 };
 
 double finite_span_ratio(const NamedPoint& x) {
-  const double span = x["span_over_radius"];
-  const FiniteSpan of(x, span);
-  if (!(of.square(span) > 0)) throw BadInput("span_over_radius", span, "must be small");
-  return 2 * of.share / (of.slowness + std::sqrt(of.square(span)));
+  const double L1 = x["span_over_radius"];
+  const SpanEquation equation(x, L1);
+  const double discriminant = equation.discriminant(L1);
+  if (!(discriminant > 0)) throw BadInput("span_over_radius", L1, "must be small");
+  return 2 * equation.right_side / (equation.slowness + std::sqrt(discriminant));
 }
 
-/// Half of the span at which the root ceases to exist, on the line or along the motion.
+/// Half of the span L1 at which the discriminant is 0 with the B1 of short spans, or at which B1 itself is 0.
 double longest_finite_span(const NamedPoint& x) {
-  const FiniteSpan of(x, 1e-12);
+  const SpanEquation of(x, 1e-12);
   const fast::RollingLine along = roll(x, 1e-12).along(along_motion);
-  const double of_line = of.slowness * of.slowness / (2 * of.index * of.share);
-  const double of_motion = 2 / (along.shear_share * along.index);
-  return std::min(of_line / 2, of_motion / 2);
+  const double ends_root = of.slowness * of.slowness / (2 * of.index * of.right_side);
+  const double ends_B1 = 2 / (along.shear_share * along.index);
+  return std::min(ends_root / 2, ends_B1 / 2);
 }
 
 /// V0 of (brock2012 48) as printed, where P has the wrong sign.
