@@ -147,25 +147,36 @@ double sampled_number(const std::string& words, Formulas& scope, const std::vect
   return point_functions().at(kind)(NamedPoint(arguments, point));
 }
 
-/// The lines for a quantity with these arguments. @NAME is replaced by lines of [sampling]; ?ARGUMENT begins a line
-/// that is left out if the quantity has no such argument.
-std::string whole_lines(const std::string& text, const std::vector<Argument>& arguments) {
+/// Lines that replace the constants of the quantity's solid by their defaults where default_solid is not 0.
+std::string default_solid_lines(const Quantity& quantity) {
+  std::string lines;
+  for (const ModelKey& key : quantity.solid ? quantity.solid->models.front().keys : std::vector<ModelKey>())
+    for (const std::string& name : key.arguments)
+      lines += fmt::format("{0} = if(default_solid, {1}, {0})\n", name,
+                           default_number(quantity.arguments[argument_number(quantity.arguments, name)]));
+  return lines;
+}
+
+/// The lines for a quantity. @NAME is replaced by lines of [sampling]; ?ARGUMENT begins a line that is left out if the
+/// quantity has no such argument; default_solid_lines follow the line of default_solid.
+std::string whole_lines(const std::string& text, const Quantity& quantity) {
   std::string lines;
   for (const std::string& line : parts_of(text, "\n")) {
     if (line.starts_with('@')) {
       const auto more = definitions_table()["sampling"][line.substr(1)].value<std::string>();
-      lines += whole_lines(more.value(), arguments);
-    } else if (!line.starts_with('?') || has_argument(arguments, line.substr(1, line.find(' ') - 1))) {
+      lines += whole_lines(more.value(), quantity);
+    } else if (!line.starts_with('?') ||
+               has_argument(quantity.arguments, line.substr(1, line.find(' ') - 1))) {
       lines += line.substr(line.starts_with('?') ? 1 : 0) + "\n";
     }
+    if (line.starts_with("default_solid =")) lines += default_solid_lines(quantity);
   }
   return lines;
 }
 
 /// Makes a function that changes a point by such lines.
 std::function<void(Point& point, Random* random)> changed_by(const std::string& text, double nearest,
-                                                             const std::vector<Argument>& arguments,
-                                                             const std::vector<ModelKey>& solid) {
+                                                             const std::vector<Argument>& arguments) {
   using Lines = std::vector<std::pair<std::string, Formulas::Expression>>;
   return [=](Point& point, Random* random) {
     static Cache<std::string, Lines> compiled;
@@ -173,16 +184,9 @@ std::function<void(Point& point, Random* random)> changed_by(const std::string& 
     Formulas scope([&](const std::string& words, Formulas& inner) {
       return sampled_number(words, inner, arguments, random);
     });
-    const auto put_default = [&](const std::string& name) {
-      scope.define(name, default_number(arguments[argument_number(arguments, name)]));
-    };
     scope.define("nearest", nearest);
     for (std::size_t i = 0; i < point.size(); ++i) scope.define(arguments[i].name, point[i]);
-    for (const auto& [name, formula] : *lines) {
-      scope.define(name, formula(scope));
-      if (name == "default_solid" && scope.number(name).value() != 0)
-        for (const ModelKey& key : solid) std::ranges::for_each(key.arguments, put_default);
-    }
+    for (const auto& [name, formula] : *lines) scope.define(name, formula(scope));
     for (std::size_t i = 0; i < point.size(); ++i) point[i] = scope.number(arguments[i].name).value();
   };
 }
@@ -191,11 +195,10 @@ std::function<void(Point& point, Random* random)> changed_by(const std::string& 
 void set_sampling(Quantity& quantity, const std::string& name, double nearest) {
   const auto table = definitions_table()["sampling"][name];
   const auto lines_of = [&](const char* key) {
-    return whole_lines(table[key].value<std::string>().value_or(""), quantity.arguments);
+    return whole_lines(table[key].value<std::string>().value_or(""), quantity);
   };
   const auto change = [&](const std::string& lines) {
-    return changed_by(lines, nearest, quantity.arguments,
-                      quantity.solid ? quantity.solid->models.front().keys : std::vector<ModelKey>());
+    return changed_by(lines, nearest, quantity.arguments);
   };
   const std::string keep = lines_of("keep");
   quantity.draw = [drawn = change(lines_of("draw") + keep),
