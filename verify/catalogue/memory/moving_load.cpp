@@ -199,13 +199,9 @@ void keep_material(const NamedNumbers& x, double farthest) {
   set_defaults(x, material.models[static_cast<std::size_t>(solid_of_operators)].keys);
 }
 
-/// The largest of these times or distances, and of their differences from the first one. It bounds the distance of the
-/// load, and of the place where it started, from a point.
-double farthest_load(const NamedPoint& x, const std::vector<const char*>& names) {
-  double farthest = 0;
-  for (const char* name : names)
-    farthest = std::max({farthest, std::fabs(x[name]), std::fabs(x[name] - x[names.front()])});
-  return farthest;
+/// The largest distance on a line of `first` from 0, and of the `others` from 0 and from `first`.
+double largest_distance(double first, std::same_as<double> auto... others) {
+  return std::max({std::fabs(first), std::fabs(others)..., std::fabs(others - first)...});
 }
 
 /// The load, cached: a search along one argument asks for the same sheet many times, and the check that a material is
@@ -238,34 +234,33 @@ Quantity load_entry(const char* quantity, auto displacement, auto size, auto... 
 /// An entry of a started load. `size`: a member of Sizes; `passing`: names of the times of passing the points.
 template <class... Names>
 Quantity started_entry(const char* quantity, auto displacement, auto size, Names... passing) {
-  const std::vector<const char*> names{"t", passing...};
   const auto draw = [=](Random& random, NamedNumbers x) {
     draw_sheet(random, x);
     const double unit = x["half_thickness"] / x["speed"], t = random.log_uniform(1e-9, 50);
-    for (const char* name : names)
-      x[name] = unit * (name == names.front() ? t : draw_passing_time(t, random));
+    x["t"] = unit * t;
+    for (const char* name : {passing...}) x[name] = unit * draw_passing_time(t, random);
   };
   const auto size_at = [=](NamedPoint x) { return (Sizes(x).*size)(started(x, passing)...); };
   return sampled(load_entry(quantity, displacement, size_at, "t", passing...), draw, [=](NamedNumbers x) {
-    keep_material(x, farthest_load(x, names) / (x["half_thickness"] / x["speed"]));
+    // In time, the load started at 0, and is at t.
+    keep_material(x, largest_distance(x["t"], x[passing]...) / (x["half_thickness"] / x["speed"]));
     // Un is infinite under the load.
-    if (names.size() == 2 && x["t"] == x["T"]) x["T"] = std::nextafter(x["T"], HUGE_VAL);
+    if (sizeof...(passing) == 1 && x["t"] == x["T"]) x["T"] = std::nextafter(x["T"], HUGE_VAL);
   });
 }
 
 /// An entry of a steady load. `distances`: names of the distances from the load.
 template <class... Names>
 Quantity steady_entry(const char* quantity, auto displacement, auto size, Names... distances) {
-  const std::vector<const char*> names{distances...};
   const auto draw = [=](Random& random, NamedNumbers x) {
     draw_sheet(random, x);
-    for (const char* name : names)
+    for (const char* name : {distances...})
       x[name] = (random.chance(0.5) ? 1 : -1) *
                 (random.chance(0.5) ? random.log_uniform(1e-12, 50) : random.log_uniform(1e-2, 20));
   };
   const auto size_at = [=](NamedPoint x) { return (Sizes(x).*size)(steady(x[distances])...); };
   return sampled(load_entry(quantity, displacement, size_at, distances...), draw,
-                 [=](NamedNumbers x) { keep_material(x, farthest_load(x, names)); });
+                 [=](NamedNumbers x) { keep_material(x, largest_distance(x[distances]...)); });
 }
 
 }  // namespace
