@@ -227,15 +227,29 @@ std::optional<Baseline> baseline_of(const CommandLine& line) {
   return Baseline::read(*path);
 }
 
-/// Updates the baseline, if asked for, and then compares with it. False if the update is not allowed.
-bool settle_baseline(const CommandLine& line, Baseline& baseline, Graded& graded) {
-  const BaselineKey key = key_of(graded);
-  const double error = graded.grade.found.max_error_ulp;
-  const bool settled = !line.has("update-baseline") || update(baseline, key, error, line.option("accept"));
-  if (!settled)
-    graded.remarks.emplace_back("the baseline was left as it is: raising it needs --accept \"reason\"");
-  graded.against_baseline = compare_with(baseline, key, error);
-  return settled;
+/// Updates the baseline, if asked for, and compares with it. False if an update is not allowed.
+bool settle_baseline(const CommandLine& line, Baseline& baseline, std::vector<Graded>& all) {
+  std::size_t updated = 0, refused = 0;
+  for (Graded& graded : all) {
+    const BaselineKey key = key_of(graded);
+    const double error = graded.grade.found.max_error_ulp;
+    if (line.has("update-baseline")) {
+      const bool is_allowed = update(baseline, key, error, line.option("accept"));
+      ++(is_allowed ? updated : refused);
+      if (!is_allowed)
+        graded.remarks.emplace_back("the baseline was left as it is: raising it needs --accept \"reason\"");
+    }
+    graded.against_baseline = compare_with(baseline, key, error);
+  }
+  if (updated > 0) replace_output_file(*line.option("baseline"), baseline.text());
+  return refused == 0;
+}
+
+std::string text_of_all(const std::vector<Graded>& all, bool for_ctest) {
+  std::string text;
+  for (const Graded& graded : all)
+    text += folded(graded_text(graded)) + (for_ctest ? text_of("ctest.txt", graded_json(graded)) : "");
+  return text + note_of_interrupt();
 }
 
 }  // namespace
@@ -243,24 +257,14 @@ bool settle_baseline(const CommandLine& line, Baseline& baseline, Graded& graded
 VerbAnswer grade_verb(const CommandLine& line) {
   std::optional<Baseline> baseline = baseline_of(line);
   std::vector<Graded> all = names_plugin(line) ? graded_kernels(line) : graded_file(line);
-  bool kept = true, to_be_written = false;
-  for (Graded& graded : all) {
-    const bool settled = !baseline || settle_baseline(line, *baseline, graded);
-    kept = kept && settled && graded.kept();
-    to_be_written |= settled && line.has("update-baseline");
-  }
-  if (to_be_written) replace_output_file(*line.option("baseline"), baseline->text());
+  const bool settled = !baseline || settle_baseline(line, *baseline, all);
   if (const auto path = line.option("keep-worst"))
     for (const Graded& graded : all) keep_worst(*path, graded);
   if (const auto junit = line.option("junit")) write_output_file(*junit, junit_text(all));
-  const auto text = [=] {
-    std::string of_all;
-    for (const Graded& graded : all)
-      of_all +=
-          folded(graded_text(graded)) + (line.has("ctest") ? text_of("ctest.txt", graded_json(graded)) : "");
-    return of_all + note_of_interrupt();
-  };
-  return {"grade", {{"rows", json_list(all, graded_json)}}, kept, text};
+  return {"grade",
+          {{"rows", json_list(all, graded_json)}},
+          settled && all_kept(all),
+          [=, for_ctest = line.has("ctest")] { return text_of_all(all, for_ctest); }};
 }
 
 }  // namespace nipref::verify
