@@ -72,9 +72,10 @@ CheckedGolden checked_rows(const GoldenHeader& file, std::size_t rows, std::size
   checked.quantity = file.entry("quantity");
   checked.rows = (rows + options.every - 1) / options.every;
   checked.recomputed = options.all ? checked.rows : std::min(checked.rows, by_ref);
-  // The offset puts a single row in the middle of the file, because the rows at the end take the reference longest.
+  // A single one is taken at the end, where rows take the reference longest, and is in the middle if turned by half.
   const auto is_recomputed = [&](std::size_t i) {
-    return is_taken((i + checked.rows / 2) % checked.rows, checked.rows, checked.recomputed);
+    const std::size_t turned = (i + checked.rows / 2) % checked.rows;
+    return is_taken(turned, checked.rows, checked.recomputed);
   };
   auto failures = parallel_mapped(
       checked.rows, [&](std::size_t i) { return check(i * options.every, is_recomputed(i)); },

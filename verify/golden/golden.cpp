@@ -47,10 +47,11 @@ bool read_decimal(const std::string& text, ref::Float& number, mpfr_rnd_t roundi
 /// The point of a row whose first fields are these arguments.
 Point point_of_row(const std::filesystem::path& path, const Quantity& quantity,
                    const std::vector<Argument>& named, const std::vector<CsvField>& fields) {
-  // The field of the argument, or of the material or solid that contains it; the next field if the file lacks it.
+  // The place of the argument, or of the material or solid that contains it.
   const auto position_of = [&](const std::string& name) {
-    return fields[static_cast<std::size_t>(std::ranges::find(named, name, &Argument::name) - named.begin())]
-        .position;
+    for (std::size_t i = 0; i < named.size(); ++i)
+      if (named[i].name == name) return fields[i].position;
+    return fields[named.size()].position;  // where an argument that the file lacks would stand
   };
   Assignments given;
   for (std::size_t i = 0; i < named.size(); ++i) given.emplace_back(named[i].name, fields[i].text);
