@@ -48,8 +48,8 @@ class Comparisons {
     for (const Solution::Result& result : solved.results) checked_.emplace_back(result.numbers.size());
   }
 
-  /// Compares each number of these results with the same number of others_of(result), if there is one: the truth, or
-  /// what follows from an identity. In a list it is the nearest number, as two lists may differ in length.
+  /// Compares each number of these results with its counterpart in others_of(result), if there is one: the truth, or
+  /// what follows from an identity.
   void against(const std::string& name, bool is_truth, const std::vector<ResultId>& results,
                const auto& others_of) {
     for (std::size_t k = 0; k < solved_.results.size(); ++k) {
@@ -57,13 +57,8 @@ class Comparisons {
       if (std::ranges::find(results, result.what->id) == results.end()) continue;
       const Others others = others_of(result);
       for (std::size_t i = 0; i < result.numbers.size(); ++i) {
-        const auto distance = [&](const std::optional<RefNumber>& other) {
-          return std::fabs(other->value - result.numbers[i].value);
-        };
-        const auto other = result.what->shape == data::Shape::list
-                               ? std::ranges::min_element(others, {}, distance)
-                               : others.begin() + static_cast<std::ptrdiff_t>(i);
-        if (other != others.end() && *other) compare(name, k, i, **other, is_truth);
+        const std::optional<RefNumber> other = counterpart(result, i, others);
+        if (other) compare(name, k, i, *other, is_truth);
       }
     }
   }
@@ -90,6 +85,15 @@ class Comparisons {
     bool at_all = false, uncovered = false, missed = false;
     std::optional<double> overestimate;
   };
+
+  /// The other number with the same index; in a list the nearest one, as two lists may differ in length.
+  static std::optional<RefNumber> counterpart(const Solution::Result& result, std::size_t i,
+                                              const Others& others) {
+    if (result.what->shape != data::Shape::list) return i < others.size() ? others[i] : std::nullopt;
+    const auto nearest = std::ranges::min_element(
+        others, {}, [&](const auto& other) { return std::fabs(other->value - result.numbers[i].value); });
+    return nearest == others.end() ? std::nullopt : *nearest;
+  }
 
   void compare(const std::string& name, std::size_t k, std::size_t i, const RefNumber& other, bool is_truth) {
     const Solution::Result& result = solved_.results[k];
