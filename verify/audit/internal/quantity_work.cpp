@@ -1,7 +1,6 @@
 #include <nipref/verify/audit/internal/sampling.hpp>
 #include <nipref/verify/audit/internal/stored.hpp>
 #include <nipref/verify/audit/internal/work.hpp>
-#include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 #include <nipref/verify/support/sha256.hpp>
@@ -49,6 +48,28 @@ AuditTally tally_of(const std::vector<Finding>& findings, std::size_t points) {
   return tally;
 }
 
+/// The findings at the points, compared in batches on all cores.
+std::vector<Finding> compared(const Comparator& comparator, std::span<const Point> points,
+                              const OnProgress& on_progress) {
+  // Few enough points to divide the work evenly between threads, and enough for vector instructions.
+  const std::size_t batch = std::clamp<std::size_t>(points.size() / 64, 16, 64);
+  const auto of_batch = [&](std::size_t i) {
+    return comparator(points.subspan(i * batch, std::min(batch, points.size() - i * batch)));
+  };
+  std::vector<Finding> findings;
+  for (auto& found : parallel_mapped((points.size() + batch - 1) / batch, of_batch, on_progress))
+    std::ranges::move(found, std::back_inserter(findings));
+  return findings;
+}
+
+/// The worst findings, from which a local search of so many points starts.
+std::vector<Finding> starts_of_search(std::vector<Finding> findings, std::size_t points) {
+  const std::size_t most = std::clamp<std::size_t>(points / least_steps, 1, most_starts);
+  std::ranges::stable_sort(findings, is_worse);
+  findings.resize(std::min(findings.size(), most));
+  return findings;
+}
+
 AuditResult result_of(const Quantity& quantity, const AuditOptions& options, const AuditTally& tally,
                       const std::vector<Finding>& kept) {
   return {tally, &quantity, options.promise_of(quantity),
@@ -57,43 +78,18 @@ AuditResult result_of(const Quantity& quantity, const AuditOptions& options, con
 
 }  // namespace
 
-Comparator::Comparator(const Quantity& quantity, Evaluator evaluator, const AuditOptions& options)
-    : quantity_(quantity), options_(options), checks_own_error_(!evaluator && quantity.fast_error) {
-  evaluator_ = evaluator ? std::move(evaluator) : fast_evaluator(quantity, options.accuracy);
-}
-
-std::vector<Finding> Comparator::operator()(std::span<const Point> points) const {
-  std::vector<Point> known;
-  std::vector<ref::Estimate> truths;
-  for (const Point& point : points) {
-    std::optional<ref::Estimate> truth = truth_at(point);
-    if (!truth) continue;
-    truths.push_back(*std::move(truth));
-    known.push_back(point);
-  }
-  std::vector<double> values(known.size());
-  evaluator_(known, values);
-  std::vector<Finding> findings;
-  for (std::size_t i = 0; i < known.size(); ++i) findings.push_back(finding(known[i], values[i], truths[i]));
-  return findings;
-}
-
-std::optional<Finding> Comparator::operator()(const Point& point, double value) const {
-  const auto truth = truth_at(point);
-  return truth ? std::optional(finding(point, value, *truth)) : std::nullopt;
-}
-
-std::optional<ref::Estimate> Comparator::truth_at(const Point& point) const {
-  return unless_refused([&] { return ref_value(quantity_, point, digits_beyond_double); });
-}
-
-Finding Comparator::finding(const Point& point, double value, const ref::Estimate& truth) const {
-  const Deviation found = deviation(value, truth, quantity_.envelope(point));
-  const double ulp = ulp_of(found.scale), rtol = options_.accuracy.rtol();
-  const double of_scale = rtol > fast::Accuracy::best_rtol ? rtol * found.scale : 0;
-  double allowed = std::max(options_.promise_of(quantity_), std::max(of_scale, options_.absolute) / ulp);
-  if (checks_own_error_) allowed = std::min(allowed, quantity_.fast_error(point, options_.accuracy) / ulp);
-  return {point, found.ulps, found.relative, found.ulps == 0 ? 0 : found.ulps / allowed};
+void AuditTally::add(const AuditTally& found, std::uint64_t block) {
+  points += found.points;
+  left_out += found.left_out;
+  max_error_ulp = std::max(max_error_ulp, found.max_error_ulp);
+  max_relative_error = std::max(max_relative_error, found.max_relative_error);
+  errors.add(found.errors);
+  if (found.allowance_used < allowance_used) return;
+  if (found.allowance_used == allowance_used && block > worst_block) return;
+  allowance_used = found.allowance_used;
+  worst_block = block;
+  worst = found.worst;
+  worst_ulp = found.worst_ulp;
 }
 
 QuantityWork::QuantityWork(const Quantity& quantity, AuditOptions options, bool keeps_points,
@@ -153,7 +149,7 @@ std::string QuantityWork::inputs() const {
   return sha256(text);
 }
 
-void QuantityWork::climb(Finding& best, std::size_t steps, const std::string& seed) const {
+Finding QuantityWork::climbed(Finding best, std::size_t steps, const std::string& seed) const {
   Random random(seed);
   for (std::size_t step = 0; step < steps; ++step) {
     stop_if_interrupted();
@@ -161,28 +157,20 @@ void QuantityWork::climb(Finding& best, std::size_t steps, const std::string& se
     for (const Finding& found : comparator_({&next, 1}))
       if (is_worse(found, best)) best = found;
   }
+  return best;
 }
 
 Json QuantityWork::do_block(std::size_t block, const OnProgress& on_progress) {
   const std::vector<Point> points = this->points(block);
-  // Few enough points to divide the work evenly between threads, and enough for vector instructions.
-  const std::size_t batch = std::clamp<std::size_t>(points.size() / 64, 16, 64);
-  const auto of_batch = [&](std::size_t i) {
-    return comparator_(std::span(points).subspan(i * batch, std::min(batch, points.size() - i * batch)));
-  };
-  std::vector<Finding> findings;
-  for (auto& found : parallel_mapped((points.size() + batch - 1) / batch, of_batch, on_progress))
-    std::ranges::move(found, std::back_inserter(findings));
+  std::vector<Finding> findings = compared(comparator_, points, on_progress);
   AuditTally tally = tally_of(findings, points.size());
-  std::vector<Finding> climbs = findings;
-  std::ranges::stable_sort(climbs, is_worse);
-  climbs.resize(
-      std::min(climbs.size(), std::clamp<std::size_t>(searched(block) / least_steps, 1, most_starts)));
-  const std::size_t steps = climbs.empty() ? 0 : searched(block) / climbs.size();
-  parallel_for(climbs.size(),
-               [&](std::size_t i) { climb(climbs[i], steps, fmt::format("{}/search/{}", seed(block), i)); });
-  tally.points += steps * climbs.size();
-  for (const Finding& found : climbs) include(tally, found);
+  const std::vector<Finding> starts = starts_of_search(findings, searched(block));
+  const std::size_t steps = starts.empty() ? 0 : searched(block) / starts.size();
+  const auto climb = [&](std::size_t i) {
+    return climbed(starts[i], steps, fmt::format("{}/search/{}", seed(block), i));
+  };
+  for (const Finding& found : parallel_mapped(starts.size(), climb)) include(tally, found);
+  tally.points += steps * starts.size();
   if (keeps_points_) std::ranges::move(findings, std::back_inserter(kept_));
   sum_.add(tally, block);
   return stored(tally);
@@ -211,20 +199,6 @@ AuditResult audit_values(const Quantity& quantity, std::span<const Point> points
     if (found) findings.push_back(*found);
   if (findings.empty()) static_cast<void>(ref_value(quantity, points.front(), digits_beyond_double));
   return result_of(quantity, options, tally_of(findings, points.size()), findings);
-}
-
-void AuditTally::add(const AuditTally& found, std::uint64_t block) {
-  points += found.points;
-  left_out += found.left_out;
-  max_error_ulp = std::max(max_error_ulp, found.max_error_ulp);
-  max_relative_error = std::max(max_relative_error, found.max_relative_error);
-  errors.add(found.errors);
-  if (found.allowance_used < allowance_used) return;
-  if (found.allowance_used == allowance_used && block > worst_block) return;
-  allowance_used = found.allowance_used;
-  worst_block = block;
-  worst = found.worst;
-  worst_ulp = found.worst_ulp;
 }
 
 }  // namespace nipref::verify

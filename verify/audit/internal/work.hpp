@@ -144,8 +144,8 @@ class QuantityWork : public BlockWork {
 
  private:
   [[nodiscard]] const std::vector<Point>& listed() const;
-  /// Hill climbing: a step is taken when it finds a worse point.
-  void climb(Finding& best, std::size_t steps, const std::string& seed) const;
+  /// The worst finding of hill climbing: a step is taken when it finds a worse point.
+  [[nodiscard]] Finding climbed(Finding start, std::size_t steps, const std::string& seed) const;
 
   const Quantity& quantity_;
   const AuditOptions options_;
