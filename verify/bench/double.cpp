@@ -8,15 +8,17 @@
 namespace nipref::verify {
 namespace {
 
-/// The numbers of points drawn, timed at least, and compared with the truth; the time for the truth; the rounds.
+/// How much is measured in a range of a quantity.
 struct Extent {
-  std::size_t points, least, compared;
-  double seconds_of_truth;
-  int rounds;
+  std::size_t points_drawn = 4096, least_timed = 32;
+  /// The points compared with the truth. The percentile 99.9 of fewer points is their maximum.
+  std::size_t most_compared = 1000;
+  double seconds_of_truth = HUGE_VAL;
+  int rounds = usual_rounds;
 };
-/// 1000 points are compared, because the percentile 99.9 of fewer points is their maximum.
-constexpr Extent usual_extent{4096, 32, 1000, std::numeric_limits<double>::infinity(), usual_rounds},
-    costly_extent{12, 12, 12, 5, 3};
+constexpr Extent usual_extent{};
+constexpr Extent costly_extent{
+    .points_drawn = 12, .least_timed = 12, .most_compared = 12, .seconds_of_truth = 5, .rounds = 3};
 
 constexpr std::array coarse_tolerances{1e-3, 1e-6, 1e-9, 1e-12};
 
@@ -69,7 +71,7 @@ std::vector<Point> draw_points(const Quantity& quantity, const TimedRange& range
 }
 
 std::string range_text(const Quantity& quantity, const TimedRange& range) {
-  if (quantity.is_costly) return fmt::format("as in the audit, {} points", costly_extent.points);
+  if (quantity.is_costly) return fmt::format("as in the audit, {} points", costly_extent.points_drawn);
   const ArgumentKind kind = quantity.arguments.front().kind;
   if (kind == ArgumentKind::index) return "n in [1,1000] log-uniform";
   if (quantity.draw) return "as in the audit";
@@ -146,11 +148,11 @@ std::vector<BenchPart> double_bench(const Quantity& quantity, const std::vector<
   return mapped(ranges(quantity), [&](const TimedRange& range) {
     const std::string arguments = range_text(quantity, range);
     return BenchPart{quantity.name + " " + arguments, [=, &quantity] {
-                       const std::vector<Point> points = draw_points(quantity, range, extent.points);
+                       const std::vector<Point> points = draw_points(quantity, range, extent.points_drawn);
                        const std::vector<Truth> truths =
-                           first_truths(quantity, points, extent.compared, extent.seconds_of_truth);
+                           first_truths(quantity, points, extent.most_compared, extent.seconds_of_truth);
                        return timed_rows(quantity.name, arguments,
-                                         ways_to(quantity, points, truths, others, extent.least),
+                                         ways_to(quantity, points, truths, others, extent.least_timed),
                                          {.count = extent.rounds, .seconds = 1e-3});
                      }};
   });
