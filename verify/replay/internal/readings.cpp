@@ -38,6 +38,8 @@ double place_unit(const data::TableCell& cell, std::ptrdiff_t digits_behind) {
   return cell.number->rounding.width() * std::pow(10, digits_behind);
 }
 
+/// Judges an erratum's reading. The table proves the printed number wrong, so that a change of the last digit leaves
+/// one choice in ten; a seed_error stays one.
 void judge_erratum(const data::TableCell& printed, ReplayedCell& cell, const data::Interval& range) {
   const auto behind = std::max<std::ptrdiff_t>(1, digits_behind_change(printed));
   const double chance = chance_of_digit(printed.number->rounding, range, place_unit(printed, behind));
@@ -45,6 +47,8 @@ void judge_erratum(const data::TableCell& printed, ReplayedCell& cell, const dat
   cell.note = note_of(fmt::format("{} for {}", printed.printed, printed.read_as), chance, cell.note);
 }
 
+/// Explains a cell by another digit in one place, if any is likely. The last place is of no use, because some last digit
+/// always meets the range.
 void explain_by_one_digit(const data::Table& table, ReplayedCell& cell, const data::Interval& range) {
   const data::TableCell& printed = table.cell(cell.row, cell.column);
   for (const Reading& reading : one_digit_readings(table, cell.row, cell.column)) {
@@ -105,11 +109,10 @@ double input_for(double goal, const data::Interval& input, double at_lower, doub
 void judge_reading(const data::Table& table, ReplayedCell& cell, const data::Interval& range) {
   const data::TableCell& printed = table.cell(cell.row, cell.column);
   if (!printed.is_readable()) return;
-  if (!printed.rests_on_replay()) {
-    if (cell.verdict == Verdict::unexplained) explain_by_one_digit(table, cell, range);
-  } else if (cell.verdict == Verdict::misprint || cell.verdict == Verdict::seed_error) {
-    judge_erratum(printed, cell, range);
-  }
+  const bool is_wrong = cell.verdict == Verdict::misprint || cell.verdict == Verdict::seed_error;
+  if (printed.rests_on_replay() && is_wrong) judge_erratum(printed, cell, range);
+  if (!printed.rests_on_replay() && cell.verdict == Verdict::unexplained)
+    explain_by_one_digit(table, cell, range);
 }
 
 double chance_of_agreement(std::vector<LengthWitness> witnesses, double unit) {

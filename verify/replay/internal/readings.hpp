@@ -30,10 +30,8 @@ std::string load_note(double replayed, double stated);
 double input_for(double goal, const data::Interval& input, double at_lower, double at_upper);
 
 /// Judges a cell by the chance that a corrected reading meets `range`: below 1 % the cell is a misprint, up to 20 % a
-/// likely misprint. There are two cases. If an erratum of the kind replay gives the reading, the table proves the
-/// printed number wrong: a change of the last digit then leaves one choice in ten, and a seed_error stays one.
-/// If the cell is unexplained, the reading has any other digit in one place; the last place is of no use, because
-/// some last digit always meets the range.
+/// likely misprint. The reading is that of an erratum of the kind replay, or for an unexplained cell without one, that
+/// with another digit in one place.
 void judge_reading(const data::Table& table, ReplayedCell& cell, const data::Interval& range);
 
 /// The lengths for which one column of a row agrees with its printed number.
