@@ -47,19 +47,22 @@ std::map<std::string, const json*> by_name(const json& rows, const std::vector<s
   return named;
 }
 
-/// The change of one member of a row, if any. A member is a number, or a text, for which "true" is better.
+/// Whether the column's members are numbers. Otherwise they are texts, of which "true" counts as larger.
+bool has_numbers(const TomlTable& column) { return column.numbers.contains("differs"); }
+
+/// The change of one member of a row, if any.
 std::optional<ChangedItem> change_of(const TomlTable& column, const std::string& row, const json& before,
                                      const json& now) {
   const std::string &key = column.text("key"), what = row + column.text("title");
   const Change smaller = change_named(column, "smaller"), larger = change_named(column, "larger");
-  const double differs = column.number_or("differs", 0);
-  if (differs == 0) {
+  if (!has_numbers(column)) {
     const std::string was = text_at(before, key), is = text_at(now, key);
     if (was == is) return {};
     return ChangedItem{is == "true" ? larger : smaller, what, was, is};
   }
   const auto was = number_at(before, key), is = number_at(now, key);
-  if (!was || !is || std::max(*was, *is) <= differs * std::min(*was, *is)) return {};
+  const double least_ratio = column.number("differs");
+  if (!was || !is || std::max(*was, *is) <= least_ratio * std::min(*was, *is)) return {};
   const int digits = smaller == Change::slower ? 3 : 4;
   return ChangedItem{*is < *was ? smaller : larger, what, fmt::format("{:.{}g}", *was, digits),
                      fmt::format("{:.{}g}", *is, digits)};
@@ -95,7 +98,7 @@ std::size_t compare(const TomlTable& part, const json& older, const json& newer,
       }
       const auto found = change_of(column, name + id, *old->second, *row);
       if (found) items.push_back(*found);
-      if (found && !column.numbers.contains("differs")) break;
+      if (found && !has_numbers(column)) break;
     }
   }
   for (const auto& [id, row] : before)
