@@ -94,23 +94,23 @@ class Landscape {
     for (const double from_motion : {-90.0, 0.0, 90.0}) lines_.push_back(at(theta + from_motion));
     const double fastest = std::max(wave_bound(theta), wave_bound(theta + 90));
     if (fastest > most_apart * least_) refuse_moduli();
-    for (const double step : {1e-3, 1e-6, 1e-9}) {
-      const auto goes_on = [&] {
-        return step == 1e-3 || (lines_.size() <= enough_lines && proven_ > (1 - step) * least_);
-      };
-      while (goes_on() && refine((1 - step) * least_))
+    while (refine(1e-3))
+      ;
+    for (const double step : {1e-6, 1e-9}) {
+      while (lines_.size() <= enough_lines && proven_ > (1 - step) * least_ && refine(step))
         ;
     }
   }
 
-  [[nodiscard]] std::vector<CriticalLine> bottoms() const {
+  /// The local minima that may be the lowest.
+  [[nodiscard]] std::vector<CriticalLine> minima() const {
     std::vector<CriticalLine> result;
     for (std::size_t i = 1; i + 1 < lines_.size(); ++i) {
       const Line &left = lines_[i - 1], &here = lines_[i], &right = lines_[i + 1];
-      const bool is_bottom = here.speed <= left.speed && here.speed <= right.speed;
+      const bool is_minimum = here.speed <= left.speed && here.speed <= right.speed;
       const bool may_be_lowest =
           here.speed == least_ || !is_clear(left, here, least_) || !is_clear(here, right, least_);
-      if (is_bottom && may_be_lowest) result.push_back(bottom(left.psi, here, right.psi));
+      if (is_minimum && may_be_lowest) result.push_back(minimum_between(left.psi, here, right.psi));
     }
     return result;
   }
@@ -166,8 +166,10 @@ class Landscape {
     return reserve(left, speed) + reserve(right, speed) >= apart * wave_bound(middle + 90);
   }
 
-  /// Halves the intervals between lines that are not clear; returns false if all are clear.
-  bool refine(double speed) {
+  /// Halves the intervals between lines that may contain a line whose speed is lower than the lowest by more than the
+  /// step; returns false if there are none.
+  bool refine(double step) {
+    const double speed = (1 - step) * least_;
     std::vector<Line> finer{lines_.front()};
     for (std::size_t i = 0; i + 1 < lines_.size(); ++i) {
       if (!is_clear(lines_[i], lines_[i + 1], speed))
@@ -181,7 +183,7 @@ class Landscape {
   }
 
   /// The minimum between `left` and `right`, by Brent's method.
-  [[nodiscard]] CriticalLine bottom(double left, const Line& lowest, double right) const {
+  [[nodiscard]] CriticalLine minimum_between(double left, const Line& lowest, double right) const {
     constexpr int bits = 20;
     const auto psi_at = [&](double share) {
       return lowest.psi + std::fabs(share) * ((share < 0 ? left : right) - lowest.psi);
@@ -206,11 +208,12 @@ class Landscape {
 /// the speeds of the lines are proven. BadInput "solid" if the fastest wave along the surface is 3000 times as fast, if
 /// 800 lines do not suffice for the step 1e-3, or if no proof is found for a line.
 std::vector<CriticalLine> lowest_lines(const ExactStiffness& solid, const SurfaceDirection& motion) {
-  return Landscape(solid, motion).bottoms();
+  return Landscape(solid, motion).minima();
 }
 
 /// The smooth minimum next to psi.
-CriticalSpeed bottom(const ExactStiffness& solid, const SurfaceDirection& motion, Float psi, int digits) {
+CriticalSpeed smooth_minimum(const ExactStiffness& solid, const SurfaceDirection& motion, Float psi,
+                             int digits) {
   // A parabola of width h has an error of the order of h^2 in psi and h^4 in the speed. If its vertex is too far from
   // its middle point, a new parabola is taken about the vertex.
   for (int width_digits = 4;; width_digits *= 2) {
@@ -320,7 +323,7 @@ CriticalSpeed critical_speed(const ExactStiffness& solid, const SurfaceDirection
   }
   std::optional<CriticalSpeed> least;
   for (const CriticalLine& line : lowest_lines(solid, motion)) {
-    CriticalSpeed found = bottom(solid, motion, line.psi, digits);
+    CriticalSpeed found = smooth_minimum(solid, motion, line.psi, digits);
     if (!least || mpfr_less_p(raw(found.speed.value), raw(least->speed.value)) != 0) least = std::move(found);
   }
   return *std::move(least);
