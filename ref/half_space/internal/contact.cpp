@@ -55,13 +55,14 @@ Float CrowdedDirections::sc(const Float& u) const {
 CrowdedDirections::Direction CrowdedDirections::at(long i, long count) const {
   const Float share = Float(2 * i) / count - 1;  // u/K
   const Float magnitude = abs(share), near = std::min(magnitude, Float(1 - magnitude));
-  // T from sc(u) near the centre, otherwise 1/T from 1/sc(u) = k' sc(K - u).
+  // sc(u) is sn/cn, from sc(u) near the centre, otherwise from 1/sc(u) = k' sc(K - u); only the ratio counts.
   const bool is_near_centre = magnitude <= Float(0.5);
-  const Float x = is_near_centre ? sc(near * quarter_) : Float(complement_ * sc(near * quarter_));
-  const Float k2 = complement_ * complement_, x2 = x * x, s2 = smallest_ * smallest_;
-  const Float slope = is_near_centre ? Float(sqrt((1 + x2) * (1 + k2 * x2)) / (1 + s2 * x2))
-                                     : Float(sqrt((1 + x2) * (k2 + x2)) / (s2 + x2));
-  const Float tangent = is_near_centre ? Float(smallest_ * x) : Float(x / smallest_);
+  const Float sc_near = sc(near * quarter_);
+  const Float sn = is_near_centre ? sc_near : Float(1);
+  const Float cn = is_near_centre ? Float(1) : Float(complement_ * sc_near);
+  const Float sn2 = sn * sn, cn2 = cn * cn, k2 = complement_ * complement_, s2 = smallest_ * smallest_;
+  const Float slope = sqrt((cn2 + sn2) * (cn2 + k2 * sn2)) / (cn2 + s2 * sn2);  // dpsi/du over smallest_
+  const Float tangent = is_near_centre ? Float(smallest_ * sn) : Float(cn / smallest_);
   const Float from_end = atan(tangent) * 180 / pi();  // degrees from the centre, or from the line across it
   Exact from_centre = is_near_centre ? to_exact(from_end) : Exact(mpq_class(90 - to_exact(from_end).value()));
   if (share < 0) from_centre = Exact(mpq_class(-from_centre.value()));
