@@ -250,15 +250,7 @@ SmoothLines::Line SmoothLines::at(const Float& v) const {
 
 Displaced displacement_under(const std::array<EllipticPressure, 2>& pressures, const SmoothLines& lines,
                              const PlaceInside& place, const std::vector<UnitPoint>& nodes, int digits) {
-  Displaced result{};
-  const auto add_line = [&](Moved& sum, const Float& v, const Float& dv, bool is_first_level) {
-    const std::vector<FallingPart> parts = parts_of(lines.at(v));
-    const Moved term = moved_by_line(lines, v, parts, pressures[0], place);
-    add(sum, term, dv);
-    if (!is_first_level) return;
-    add(result.error, term, dv);
-    add(result.error, moved_by_line(lines, v, parts, pressures[1], place), -dv);
-  };
+  Moved between_pressures;  // the difference between the displacements on the first level
   // The steps of the rule are 32, 16, ... 1 times the step of `nodes`. The nodes that are left out, next to the ends of
   // the at most 6 stretches, contribute less than the rounding error, 10^-(digits + 6).
   constexpr std::size_t widest = 32;
@@ -269,8 +261,14 @@ Displaced displacement_under(const std::array<EllipticPressure, 2>& pressures, c
     for (std::size_t i = is_first ? 0 : step; i < nodes.size(); i += is_first ? step : 2 * step) {
       const auto& [left, right, weight] = nodes[i];
       if (weight < tolerance(digits + 8)) continue;
-      add_line(added, left < right ? Float(on.left + length * left) : Float(on.right - length * right),
-               length * weight * step, is_first);
+      const Float v = left < right ? on.left + length * left : on.right - length * right;
+      const Float dv = length * weight * step;
+      const std::vector<FallingPart> parts = parts_of(lines.at(v));
+      const Moved moved = moved_by_line(lines, v, parts, pressures[0], place);
+      add(added, moved, dv);
+      if (!is_first) continue;
+      add(between_pressures, moved, dv);
+      add(between_pressures, moved_by_line(lines, v, parts, pressures[1], place), -dv);
     }
     for (std::size_t k = 0; k < added.size(); ++k) {
       const Float finer = on.integral[k] / 2 + added[k];
@@ -288,7 +286,8 @@ Displaced displacement_under(const std::array<EllipticPressure, 2>& pressures, c
     for (Stretch& each : stretches)
       each.is_settled = step < widest && largest_of(each.change) <= tolerance(digits + 2) * all;
   }
-  for (Float& apart : result.error) apart = abs(apart);
+  Displaced result{};
+  for (std::size_t k = 0; k < result.error.size(); ++k) result.error[k] = abs(between_pressures[k]);
   for (const Stretch& each : stretches) {
     add(result.value, each.integral, 1);
     add(result.error, each.change, 1);
