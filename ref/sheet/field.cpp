@@ -26,24 +26,24 @@ void check_place(const Exact& alpha, const Exact& depth) {
 
 bool on_a_face(const Exact& depth) { return abs(depth.value()) == 1; }
 
-/// The form of all stresses and displacements: [first z^(power - 1) G + second z^power H] C + third s z^power G D,
-/// times a wave. Under a normal load G = 2 sinh z/S and H = 2 cosh z/S; under a shear load they are exchanged. C is
-/// sinh sz if the quantity is odd in the depth s, otherwise cosh sz; D is the other of the two. The wave of a normal
-/// load is sin alpha z if `sine`, otherwise cos alpha z; a shear load has -cos alpha z and sin alpha z instead.
+/// The form of all stresses and displacements: first z^(power - 1) G C + second z^power (H C - s G D), times a wave.
+/// Under a normal load G = 2 sinh z/S and H = 2 cosh z/S; under a shear load they are exchanged. C is sinh sz if the
+/// quantity is odd in the depth s, otherwise cosh sz; D is the other of the two. A normal load's wave is sin alpha z if
+/// `odd_if_normal`, otherwise cos alpha z; a shear load has -cos alpha z and sin alpha z instead.
 struct FieldForm {
-  bool sine, odd_in_depth;
-  int power;
-  mpq_class first_normal, first_shear, second, third;
+  bool odd_if_normal = false, odd_in_depth = false;
+  int power = 0;
+  mpq_class first_if_normal = 0, first_if_shear = 0, second = 0;
 
   [[nodiscard]] FieldIntegrand at(SheetLoad load, const Exact& depth) const {
     const bool is_normal = load == SheetLoad::normal;
     const FieldSymbol G = is_normal ? sinh_over_S : cosh_over_S, H = is_normal ? cosh_over_S : sinh_over_S;
-    const int sign = sine && !is_normal ? -1 : 1;
-    const mpq_class first = sign * (is_normal ? first_normal : first_shear), s = depth.magnitude().value();
+    const bool has_sine = is_normal ? odd_if_normal : !odd_if_normal;
+    const int sign = !is_normal && !has_sine ? -1 : 1;
+    const mpq_class first = sign * (is_normal ? first_if_normal : first_if_shear), of_H = sign * second,
+                    of_G = -of_H * depth.magnitude().value();
     FieldIntegrand result{
-        sine == is_normal,
-        odd_in_depth,
-        {{sign * second, power, H, odd_in_depth}, {sign * third * s, power, G, !odd_in_depth}}};
+        has_sine, odd_in_depth, {{of_H, power, H, odd_in_depth}, {of_G, power, G, !odd_in_depth}}};
     if (first != 0) result.terms.push_back({first, power - 1, G, odd_in_depth});
     return result;
   }
@@ -86,21 +86,22 @@ Enclosure on_face(const FieldTerm& first, bool sine, const Exact& alpha, Derivat
 Enclosure sheet_across(const Exact& alpha, const Exact& depth, SheetLoad load, int digits) {
   check_place(alpha, depth);
   if (on_a_face(depth)) return exact_zero(digits);
-  const FieldForm form{false, false, 1, -1, 0, -1, 1};
+  const FieldForm form{.power = 1, .first_if_normal = -1, .second = -1};
   return by_parity(form.at(load, depth), alpha, depth, digits, decay_nats(alpha));
 }
 
 Enclosure sheet_along(const Exact& alpha, const Exact& depth, SheetLoad load, int digits) {
   check_place(alpha, depth);
   const double first_nats = load == SheetLoad::normal ? decay_nats(alpha) : 0;
-  const FieldForm form{false, false, 1, -1, -2, 1, -1};
+  const FieldForm form{.power = 1, .first_if_normal = -1, .first_if_shear = -2, .second = 1};
   return by_parity(form.at(load, depth), alpha, depth, digits, first_nats);
 }
 
 Enclosure sheet_shear(const Exact& alpha, const Exact& depth, SheetLoad load, int digits) {
   check_place(alpha, depth);
   if (on_a_face(depth)) return exact_zero(digits);
-  const FieldForm form{true, true, 1, 0, -1, 1, -1};
+  const FieldForm form{
+      .odd_if_normal = true, .odd_in_depth = true, .power = 1, .first_if_shear = -1, .second = 1};
   return by_parity(form.at(load, depth), alpha, depth, digits, decay_nats(alpha));
 }
 
@@ -122,7 +123,7 @@ Enclosure sheet_u(const Exact& alpha, const Exact& depth, SheetLoad load, const 
   check_poisson(poisson);
   const double first_nats = load == SheetLoad::normal ? decay_nats(alpha) : 0;
   const auto& [t1, t2] = ThetaShares(poisson);
-  const FieldForm form{false, true, 0, -1, -t2, -t1, t1};
+  const FieldForm form{.odd_in_depth = true, .first_if_normal = -1, .first_if_shear = -t2, .second = -t1};
   return by_parity(form.at(load, depth), alpha, depth, digits, first_nats);
 }
 
@@ -139,7 +140,8 @@ Enclosure sheet_v(const Exact& alpha, const Exact& eta, const Exact& depth, Shee
   }
   const ThetaShares shares(poisson);
   // The displacement without the part that depends on eta.
-  const FieldForm form{true, false, 0, -shares.theta2, -1, shares.theta1, -shares.theta1};
+  const auto& [t1, t2] = shares;
+  const FieldForm form{.odd_if_normal = true, .first_if_normal = -t2, .first_if_shear = -1, .second = t1};
   const FieldIntegrand integrand = form.at(load, depth);
   const FieldPoint at{alpha.magnitude(), depth.magnitude()};
   // Far from the load, on the side of the fixed point, the parts that do not decay cancel.
