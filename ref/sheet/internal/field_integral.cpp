@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <climits>
 #include <cmath>
 #include <memory>
@@ -214,49 +215,40 @@ class Summation {
   std::vector<Interval> factors_;
 };
 
-/// The closed forms that the parts 1/cosh z and 1/sinh z of the symbols give, at w = alpha + i depth.
+/// The angle of (x, y) with x, y >= 0, not both 0.
+Interval angle_of(const Interval& y, const Interval& x) {
+  const bool steep = mpfr_cmp(x.upper(), y.upper()) < 0;
+  return steep ? Interval::pi(y.precision()) / 2 - atan(x / y) : atan(y / x);
+}
+
+/// The integrals from 0 to infinity of 1/(z cosh z), 1/cosh z and z/cosh z, and of the same over sinh z, times sin wz
+/// or cos wz, whichever makes the integrand even, at w = alpha + i depth. That of cos wz/(z sinh z) is a finite part.
 struct ClosedForms {
-  ComplexInterval I4, K5, I5, I7, I5_slope, I7_slope;
-
-  ClosedForms(const FieldPoint& at, mpfr_prec_t precision)
-      : I4(Interval(precision)), K5(I4), I5(I4), I7(I4), I5_slope(I4), I7_slope(I4) {
-    const Interval pi = Interval::pi(precision), alpha(at.alpha, precision), depth(at.depth, precision);
-    const Interval from_face(Exact(mpq_class(1 - at.depth.value())), precision);
-    const Interval a = pi * alpha / 2;
-    const Interval ca = cosh(a), sa = sinh(a), ss = sin(pi * depth / 2), cs = sin(pi * from_face / 2);
-    const Interval size = square(ca * cs) + square(sa * ss);  // |cosh(pi w/2)|^2
-    const ComplexInterval sech{ca * cs / size, -(sa * ss) / size}, tanh{sa * ca / size, ss * cs / size};
-    const Interval half_pi = pi / 2;
-    I7 = half_pi * sech;
-    I5 = half_pi * tanh;
-    I7_slope = -(square(half_pi) * (sech * tanh));
-    I5_slope = square(half_pi) * (sech * sech);
-    K5 = {log(size) / 2, angle(sa * ss, ca * cs)};
-    // gd(pi w/2); cosh a - sin(pi depth/2) = 2 sinh^2(a/2) + 2 sin^2(pi from_face/4)
-    const Interval below = 2 * (square(sinh(a / 2)) + square(sin(pi * from_face / 4)));
-    I4 = {angle(sa, cs), log1p(2 * ss / below) / 2};
-  }
-
- private:
-  /// The angle of (x, y) with x, y >= 0, not both 0.
-  static Interval angle(const Interval& y, const Interval& x) {
-    const bool steep = mpfr_cmp(x.upper(), y.upper()) < 0;
-    return steep ? Interval::pi(y.precision()) / 2 - atan(x / y) : atan(y / x);
-  }
+  std::array<ComplexInterval, 3> over_cosh, over_sinh;
 };
 
+ClosedForms closed_forms(const FieldPoint& at, mpfr_prec_t precision) {
+  const Interval pi = Interval::pi(precision), alpha(at.alpha, precision), depth(at.depth, precision);
+  const Interval from_face(Exact(mpq_class(1 - at.depth.value())), precision);
+  const Interval a = pi * alpha / 2;
+  const Interval ca = cosh(a), sa = sinh(a), ss = sin(pi * depth / 2), cs = sin(pi * from_face / 2);
+  const Interval size = square(ca * cs) + square(sa * ss);  // |cosh(pi w/2)|^2
+  const ComplexInterval sech{ca * cs / size, -(sa * ss) / size}, tanh{sa * ca / size, ss * cs / size};
+  const ComplexInterval ln_cosh{log(size) / 2, angle_of(sa * ss, ca * cs)};
+  // cosh a - sin(pi depth/2) = 2 sinh^2(a/2) + 2 sin^2(pi from_face/4)
+  const Interval below = 2 * (square(sinh(a / 2)) + square(sin(pi * from_face / 4)));
+  const ComplexInterval gd{angle_of(sa, cs), log1p(2 * ss / below) / 2};  // gd(pi w/2)
+  const Interval half_pi = pi / 2;
+  return {{gd, half_pi * sech, square(half_pi) * (sech * tanh)},
+          {-ln_cosh, half_pi * tanh, square(half_pi) * (sech * sech)}};
+}
+
 /// The integral of a term with the part 1/cosh z or 1/sinh z of its symbol.
-Interval closed_term(const FieldTerm& term, bool sine, const ClosedForms& f) {
-  const bool of_sinh = term.symbol == FieldSymbol::sinh_over_S;
-  const ComplexInterval& function = of_sinh ? (term.power < 0    ? f.I4
-                                               : term.power == 0 ? f.I7
-                                                                 : f.I7_slope)
-                                            : (term.power < 0    ? f.K5
-                                               : term.power == 0 ? f.I5
-                                                                 : f.I5_slope);
-  const bool negative = of_sinh ? term.power > 0 : term.power < 0;
-  const Interval part = term.sinh ? (sine ? -function.im : function.im) : function.re;
-  return negative ? -part : part;
+Interval closed_term(const FieldTerm& term, bool sine, const ClosedForms& forms) {
+  const auto& by_power = term.symbol == FieldSymbol::sinh_over_S ? forms.over_cosh : forms.over_sinh;
+  const ComplexInterval& form = by_power[static_cast<std::size_t>(term.power + 1)];
+  if (!term.sinh) return form.re;
+  return sine ? -form.im : form.im;
 }
 
 /// The sum of the closed forms with an error of e^{-nats}. Near the loads they cancel, and the precision is raised
@@ -268,7 +260,7 @@ Interval closed_part(const FieldIntegrand& integrand, const FieldPoint& at, mpfr
   if (integrand.sine) log2_width += at.alpha.log2_magnitude();
   if (integrand.odd_in_depth) log2_width += at.depth.log2_magnitude();
   for (;; precision *= 2) {
-    const ClosedForms closed(at, precision);
+    const ClosedForms closed = closed_forms(at, precision);
     Interval sum(precision);
     for (const FieldTerm& term : integrand.terms) {
       sum = sum + Interval(term.factor, precision) * closed_term(term, integrand.sine, closed);
