@@ -27,24 +27,23 @@ ExactFunction as_given(const data::MaterialFunction& function, const char* name)
 mpq_class at_zero(const Polynomial& p) { return p.is_zero() ? mpq_class(0) : p[0]; }
 
 ExactFunction exact_function(ExactRatio theta, const std::string& last) {
-  auto& [numerator, denominator] = theta;
-  cancel(numerator, denominator);
-  const Polynomial at_once = numerator / denominator;
-  numerator %= denominator;
-  if (at_once.size() > 1 || (at_once.is_zero() && numerator.size() + 1 < denominator.size()))
+  cancel(theta.numerator, theta.denominator);
+  const auto& [above, below] = theta;
+  const Polynomial at_once = above / below, later = above % below;
+  if (at_once.size() > 1 || (at_once.is_zero() && later.size() + 1 < below.size()))
     throw data::NoMaterial(last, "(its degree)",
                            "must give way at once by a finite compliance or by a dashpot");
-  if (has_repeated_root(denominator))
+  if (has_repeated_root(below))
     throw data::NoMaterial(last, "(its roots)",
                            "must not be repeated: t e^(-rate t) is not among the terms of a material");
   ExactFunction result{at_zero(at_once), {}, {}};
-  if (denominator[0] == 0) {  // a fluid, with the rate 0
-    denominator >>= 1;
-    const mpq_class flow = at_zero(numerator) / denominator[0];
-    result.terms.push_back({flow, 0});
-    numerator -= flow * denominator;
-    if (!numerator.is_zero()) numerator >>= 1;
-  }
+  // later/below = flow/p + numerator/denominator; only a fluid has the first term, whose rate is 0.
+  const bool is_fluid = below[0] == 0;
+  const Polynomial denominator = is_fluid ? below >> 1 : below;
+  const mpq_class flow = is_fluid ? at_zero(later) / denominator[0] : mpq_class(0);
+  const Polynomial rest = later - flow * denominator;
+  const Polynomial numerator = is_fluid && !rest.is_zero() ? rest >> 1 : rest;
+  if (is_fluid) result.terms.push_back({flow, 0});
   if (numerator.is_zero()) return result;
   if (!(slowest_rate(denominator) > 0))
     throw data::NoMaterial(last, "(its roots)", "must have negative real parts: strains fade");
@@ -52,7 +51,7 @@ ExactFunction exact_function(ExactRatio theta, const std::string& last) {
     result.terms.push_back({numerator[0] / denominator[1], denominator[0] / denominator[1]});
     return result;
   }
-  result.fractions.push_back(std::move(theta));
+  result.fractions.push_back({numerator, denominator});
   return result;
 }
 
