@@ -177,26 +177,26 @@ ComplexInterval steady_memory(Symbol kernel, const Exact& alpha, const ComplexIn
   const Exact distance = alpha.magnitude();
   const mpfr_prec_t bits = std::max(rate.re.precision(), working_precision(nats, 1000));
   const Interval quarter = Interval::pi(bits) / 4;
-  ComplexInterval sum{Interval(bits), Interval(bits)};
-  bool passes_pole = !ahead;
-  if (is_real(rate) && distance.value() >= 1) {
-    sum.re = fading_residue_series(kernel, alpha, rate.re, nats);
-  } else {
-    const double pole = ahead ? 0 : angle_of_pole(rate);
-    const MemoryStrip strip = strip_beside(pole);
-    sum = along_path(kernel, distance, ahead ? rate : -rate, strip, nats);
-    if (!ahead && !odd) sum = -sum;
-    passes_pole = !ahead && pole < strip.angle;
-  }
+  const bool by_residues = is_real(rate) && distance.value() >= 1;
+  const double pole = ahead ? 0 : angle_of_pole(rate);
+  const MemoryStrip strip = strip_beside(pole);
+  // Behind the load there is P, except where the pole is above the path: its residue would then cancel P.
+  const bool has_whole_line = !ahead && (by_residues || pole < strip.angle);
+  const auto along_one_side = [&]() -> ComplexInterval {
+    if (by_residues) return {fading_residue_series(kernel, alpha, rate.re, nats), Interval(bits)};
+    const ComplexInterval u = along_path(kernel, distance, ahead ? rate : -rate, strip, nats);
+    return ahead || odd ? u : -u;
+  };
+  const ComplexInterval sum = along_one_side();
   if (is_zero(rate)) {
     // The limits of P and of pi/(4 L), without the infinite part.
     const Interval rest = odd ? -(quarter * Interval(distance, bits)) : 2 * quarter;
-    return odd || passes_pole ? ComplexInterval{sum.re + rest, sum.im} : sum;
+    return odd || has_whole_line ? ComplexInterval{sum.re + rest, sum.im} : sum;
   }
-  if (passes_pole) sum = sum + whole_line(kernel, rate, distance);
-  if (!odd) return sum;
+  const ComplexInterval memory = has_whole_line ? sum + whole_line(kernel, rate, distance) : sum;
+  if (!odd) return memory;
   const ComplexInterval at_origin = quarter * inverse(rate);
-  return ahead ? sum + at_origin : sum - at_origin;
+  return ahead ? memory + at_origin : memory - at_origin;
 }
 
 Interval steady_memory(Symbol kernel, const Exact& alpha, const Exact& rate, double nats) {
@@ -231,8 +231,11 @@ Waves make_waves(const WaveKey& key) {
   return waves;
 }
 
-/// The key of factors: kernel, side (1 ahead of the load, -1 behind it, 0: no memory), terms, precision and rate.
-using FadeKey = std::tuple<PlainKernel, long, int, mpfr_prec_t, mpq_class>;
+/// The side of the load on which the waves are remembered; no_memory for the kernel itself.
+enum WaveSide : long { behind_load = -1, no_memory = 0, ahead_of_load = 1 };
+
+/// The key of factors: kernel, side, number of terms, precision and rate.
+using FadeKey = std::tuple<PlainKernel, WaveSide, int, mpfr_prec_t, mpq_class>;
 
 /// The factors of the waves over pi: C/(rate - i z) ahead of the load, C/(rate + i z) behind it, C without memory. With
 /// the coefficient c of a root, C = i pi c for an even kernel and C = pi c for an odd one.
@@ -244,13 +247,14 @@ Waves make_fades(const FadeKey& key) {
     const auto pole = sheet_pole(n, precision + spare_bits);
     const ComplexInterval c = plain_coefficient(kernel, *pole);
     fades.push_back(is_odd(kernel) ? c : ComplexInterval{-c.im, c.re});
-    if (side != 0) fades.back() = fades.back() * inverse({rate + side * pole->z.im, -(side * pole->z.re)});
+    if (side != no_memory)
+      fades.back() = fades.back() * inverse({rate + side * pole->z.im, -(side * pole->z.re)});
   }
   return fades;
 }
 
 /// The sum over the waves at x >= 0, without the kernel's constant.
-Interval wave_sum(PlainKernel kernel, const Exact& x, long side, const Exact& rate, int terms,
+Interval wave_sum(PlainKernel kernel, const Exact& x, WaveSide side, const Exact& rate, int terms,
                   mpfr_prec_t precision) {
   static Cache<WaveKey, Waves> kept_waves(make_waves, size_of_waves, std::size_t{1} << 27);
   static Cache<FadeKey, Waves> kept_fades(make_fades, size_of_waves, std::size_t{1} << 26);
@@ -279,8 +283,8 @@ Interval constant_of(PlainKernel kernel, mpfr_prec_t precision) {
 Interval plain_kernel_at(PlainKernel kernel, const Exact& alpha, int terms, double nats) {
   check_residue_terms(terms);
   const mpfr_prec_t precision = precision_of(nats);
-  const Interval value =
-      wave_sum(kernel, alpha.magnitude(), 0, Exact(0.0), terms, precision) + constant_of(kernel, precision);
+  const Interval value = wave_sum(kernel, alpha.magnitude(), no_memory, Exact(0.0), terms, precision) +
+                         constant_of(kernel, precision);
   return is_odd(kernel) && alpha.sign() < 0 ? -value : value;
 }
 
@@ -289,16 +293,18 @@ Interval plain_memory(PlainKernel kernel, const Exact& alpha, const Exact& exact
   check_residue_terms(terms);
   const mpfr_prec_t precision = precision_of(nats);
   const Interval rate(exact_rate, precision), constant = constant_of(kernel, precision);
-  const auto sum = [&](const Exact& x, long side) {
+  const auto sum = [&](const Exact& x, WaveSide side) {
     return wave_sum(kernel, x, side, exact_rate, terms, precision);
   };
   const Exact x = alpha.magnitude(), at_load(0.0);
-  if (alpha.sign() >= 0) return sum(x, 1) + constant / rate;
+  if (alpha.sign() >= 0) return sum(x, ahead_of_load) + constant / rate;
   const Interval faded = exp(-(rate * Interval(x, precision)));
-  const Interval passed = sum(at_load, 1), coming = sum(at_load, -1);
-  const Interval behind = sum(x, -1);
+  // The integral ahead of the load is faded * from_load. The one from alpha to the load is from_point - faded * beyond
+  // for even kernels, and minus that for odd ones.
+  const Interval from_load = sum(at_load, ahead_of_load), beyond = sum(at_load, behind_load);
+  const Interval from_point = sum(x, behind_load);
   const Interval waves =
-      is_odd(kernel) ? faded * (passed + coming) - behind : faded * (passed - coming) + behind;
+      is_odd(kernel) ? faded * (from_load + beyond) - from_point : faded * (from_load - beyond) + from_point;
   return waves + constant * (2 * faded - 1) / rate;
 }
 
