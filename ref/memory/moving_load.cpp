@@ -18,8 +18,9 @@ namespace nipref::ref {
 namespace {
 
 using std::numbers::ln2;
-/// For cached results the nats are rounded up to multiples of this.
-constexpr double nats_grain = 16;
+double at_least_40(double nats) { return std::max(nats, 40.0); }
+/// The nats of cached results: rounded up, so that only a few values occur.
+double nats_of_cached(double nats) { return std::ceil(nats / 16) * 16; }
 
 /// I1, I3, I4 or I5; nothing for I2, which has no symbol.
 using Kernel = std::optional<Symbol>;
@@ -29,21 +30,20 @@ Interval kernel_interval(Kernel kernel, const Exact& alpha, double nats, int res
   if (alpha.sign() == 0 && kernel != Symbol::I1) return Interval(64);
   if (!kernel) return I2_interval(alpha, nats);
   if (residue_terms > 0)
-    return plain_kernel_at(*kernel, alpha, residue_terms,
-                           std::ceil(std::max(nats, 40.0) / nats_grain) * nats_grain);
+    return plain_kernel_at(*kernel, alpha, residue_terms, nats_of_cached(at_least_40(nats)));
   // In the order of Symbol.
   return std::array{I1_interval, I3_interval, I4_interval, I5_interval}[static_cast<std::size_t>(*kernel)](
       alpha, nats);
 }
 
 Interval rational(const mpq_class& value, double nats) {
-  return {value, working_precision(std::max(nats, 40.0), 1) + 64};
+  return {value, working_precision(at_least_40(nats), 1) + 64};
 }
 
 double ln_magnitude(const mpq_class& x) { return Exact(x).log2_magnitude() * ln2; }
 
-/// The relative accuracy, in nats, of a number of the size 1/rate, or of a distance at rate 0, with error e^{-nats}.
-double nats_over_rate(const mpq_class& rate, double nats) {
+/// -ln of the relative error of a number of the size 1/rate, or of a distance at rate 0, with error e^{-nats}.
+double relative_nats(const mpq_class& rate, double nats) {
   constexpr double of_longest_way = 8;
   if (rate == 0) return nats + of_longest_way;
   return nats + std::max(0.0, -ln_magnitude(rate));
@@ -60,7 +60,7 @@ ComplexInterval sign_history(const Exact& alpha, const ComplexInterval& rate) {
   return long_ago * ComplexInterval{2 * faded.re - 1, 2 * faded.im};
 }
 
-/// A rate of the memory over speed/half_thickness: as an interval and, if it is known exactly, as a number.
+/// A rate of the memory per half thickness of the load's way: as an interval and, if it is known exactly, as a number.
 struct HistoryRate {
   ComplexInterval interval;
   std::optional<mpq_class> exact = {};
@@ -72,7 +72,7 @@ using HistoryKey = std::tuple<Symbol, double, int, mpq_class, mpq_class>;
 Interval make_history(const HistoryKey& key) {
   const auto& [kernel, nats, residue_terms, alpha, rate] = key;
   return residue_terms > 0
-             ? plain_memory(kernel, Exact(alpha), Exact(rate), residue_terms, nats_over_rate(rate, nats))
+             ? plain_memory(kernel, Exact(alpha), Exact(rate), residue_terms, relative_nats(rate, nats))
              : steady_memory(kernel, Exact(alpha), Exact(rate), nats);
 }
 
@@ -87,22 +87,21 @@ ComplexInterval whole_history(Kernel kernel, const Exact& alpha, const HistoryRa
   static Cache<HistoryKey, Interval> kept(make_history, size_of_history, std::size_t{1} << 24);
   if (!kernel) return sign_history(alpha, rate.interval);
   if (!rate.exact) return steady_memory(*kernel, alpha, rate.interval, nats);
-  const double rounded_up = std::ceil(nats / nats_grain) * nats_grain;
-  return {*kept.at({*kernel, rounded_up, residue_terms, alpha.value(), *rate.exact}), Interval(64)};
+  return {*kept.at({*kernel, nats_of_cached(nats), residue_terms, alpha.value(), *rate.exact}), Interval(64)};
 }
 
 /// The nats for a number whose product with e^{-faded} is to have an error of e^{-nats}. They are nats/2^k for a whole
 /// k, so that loads with the same start share cached results.
-double nats_left(double nats, double faded) {
-  double left = nats;
-  while (left > 2 && left / 2 >= nats - faded) left /= 2;
-  return left;
+double nats_before_fading(double nats, double faded) {
+  double needed = nats;
+  while (needed > 2 && needed / 2 >= nats - faded) needed /= 2;
+  return needed;
 }
 
 /// int_alpha^start e^{-rate (w - alpha)} I(w) dw: the memory from infinity minus its part before the start.
 ComplexInterval history(Kernel kernel, const LoadPath& path, const HistoryRate& rate, double wanted_nats,
                         int residue_terms) {
-  const double nats = std::max(wanted_nats + 2, 40.0);
+  const double nats = at_least_40(wanted_nats + 2);
   const mpfr_prec_t bits = rate.interval.re.precision();
   ComplexInterval whole = whole_history(kernel, path.alpha, rate, nats, residue_terms);
   if (!path.start) {
@@ -114,7 +113,7 @@ ComplexInterval history(Kernel kernel, const LoadPath& path, const HistoryRate& 
   const Interval distance(Exact(mpq_class(path.start->value() - path.alpha.value())), bits);
   const double faded = mpfr_get_d((rate.interval.re * distance).lower(), MPFR_RNDD);
   return whole - exp(-(distance * rate.interval)) *
-                     whole_history(kernel, *path.start, rate, nats_left(nats, faded), residue_terms);
+                     whole_history(kernel, *path.start, rate, nats_before_fading(nats, faded), residue_terms);
 }
 
 double ln_size(const ComplexInterval& z) {
@@ -136,35 +135,35 @@ Interval remembered(const ExactRatio& fraction, Kernel kernel, const LoadPath& p
                                 std::fabs(ln_rate));
   }
   Interval sum(64);
-  for (const auto& [amplitude, rate] : terms_to(std::max(nats, 40.0) + large)) {
+  for (const auto& [amplitude, rate] : terms_to(at_least_40(nats) + large)) {
     const Interval unit = 1 / Interval(travel_rate, rate.re.precision());
     const ComplexInterval over_distance = unit * amplitude;
-    const double needed = std::max(nats + ln_size(over_distance) + 4, 40.0);
+    const double needed = at_least_40(nats + ln_size(over_distance) + 4);
     sum = sum + (over_distance * history(kernel, path, {unit * rate}, needed, 0)).re;
   }
   return sum;
 }
 
-/// Bounds of a kernel and of its slope at all distances of at least `nearest` from the load, of its memory
-/// int_alpha^start e^{-rate (w - alpha)} |I(w)| dw, and of the rate times the memory: ref/memory/README.md, What a
-/// displacement changes by.
-struct KernelBounds {
-  Interval size, slope, memory, faded;
-};
+/// I1 itself, not a sum of its residues. All other kernels have the same bound everywhere.
+bool is_unbounded(Kernel kernel, int residue_terms) { return kernel == Symbol::I1 && residue_terms == 0; }
 
-KernelBounds bounds_of(Kernel kernel, const mpq_class& nearest, const mpq_class& way, const mpq_class& rate,
-                       int residue_terms) {
-  constexpr mpfr_prec_t bits = 64;
-  const Interval distance(Exact(nearest), bits);
-  if (kernel == Symbol::I1 && residue_terms == 0) {
-    const bool is_near = nearest < 1;
-    return {is_near ? 3 - log(distance) : Interval(3L, bits), 1 / distance + 2, Interval(8L, bits),
-            8 * Interval(rate, bits)};
+/// Bounds of a kernel and of its slope at distances from the load that are off by at most `error`; BadInput "y" if the
+/// load may be there: ref/memory/README.md, What a displacement changes by.
+struct KernelBounds {
+  Interval size, slope;
+};
+constexpr mpfr_prec_t few_bits = 64;
+
+KernelBounds kernel_bounds(Kernel kernel, const Exact& around, const mpq_class& error, int residue_terms) {
+  const mpq_class nearest = abs(around.value()) - error;
+  if (nearest <= 0) throw data::BadInput("y", around.approximate(), "must not be the place of a line load");
+  if (is_unbounded(kernel, residue_terms)) {
+    const Interval distance(nearest, few_bits);
+    return {nearest < 1 ? 3 - log(distance) : Interval(3L, few_bits), 1 / distance + 2};
   }
   const long n = residue_terms;
-  const Interval size(n > 0 ? 7 * n + 1 : 4, bits), terms(n, bits);
-  const Interval slope = !kernel ? Interval(bits) : n > 0 ? 13 * terms * sqrt(terms) : size;
-  return {size, slope, size * Interval(way, bits), size};
+  const Interval size(n > 0 ? 7 * n + 1 : 4, few_bits), terms(n, few_bits);
+  return {size, !kernel ? Interval(few_bits) : n > 0 ? 13 * terms * sqrt(terms) : size};
 }
 
 /// The convolution theta * I along a path, without the sheet's factor 1/pi.
@@ -177,7 +176,7 @@ struct Part {
 
   [[nodiscard]] Interval at_once(double nats) const {
     if (theta.instantaneous == 0) return Interval(64);
-    const double needed = std::max(nats + ln_magnitude(theta.instantaneous) + 3, 40.0);
+    const double needed = at_least_40(nats + ln_magnitude(theta.instantaneous) + 3);
     return rational(theta.instantaneous, needed) * kernel_interval(kernel, path.alpha, needed, residue_terms);
   }
 
@@ -191,7 +190,7 @@ struct Part {
       const mpq_class rate = term.rate / travel_rate;
       const double needed = nats + ln_magnitude(amplitude) + 3;
       const HistoryRate known{rate_interval(Exact(rate), needed + 8), rate};
-      sum = sum + rational(amplitude, nats_over_rate(rate, std::max(needed, 40.0))) *
+      sum = sum + rational(amplitude, relative_nats(rate, at_least_40(needed))) *
                       history(kernel, path, known, needed, residue_terms).re;
     }
     for (const ExactRatio& fraction : theta.fractions) {
@@ -204,23 +203,24 @@ struct Part {
   /// of them at most. theta has no fractions.
   [[nodiscard]] Interval change(const mpq_class& travel_rate, const PathError& error,
                                 const mpq_class& share) const {
-    constexpr mpfr_prec_t bits = 64;
-    const auto bounds = [&](const Exact& place, const mpq_class& off, const mpq_class& rate) {
-      const mpq_class nearest = abs(place.value()) - off;
-      if (nearest <= 0)
-        throw data::BadInput("y", place.approximate(), "must not be the place of a line load");
-      const mpq_class way = path.start->value() - path.alpha.value() + error.alpha + error.start;
-      return bounds_of(kernel, nearest, way, rate, residue_terms);
-    };
-    const Interval moved(Exact(error.alpha), bits), started(Exact(error.start), bits);
-    Interval sum = rational(theta.instantaneous, 0) * bounds(path.alpha, error.alpha, 0).slope * moved;
+    const mpq_class longest_way = path.start->value() - path.alpha.value() + error.alpha + error.start;
+    const Interval way(longest_way, few_bits);
+    const Interval off_now(error.alpha, few_bits), off_at_start(error.start, few_bits);
+    const KernelBounds now = kernel_bounds(kernel, path.alpha, error.alpha, residue_terms);
+    Interval sum = rational(theta.instantaneous, 0) * now.slope * off_now;
     for (const ExactFunction::Term& term : theta.terms) {
-      const KernelBounds now = bounds(path.alpha, error.alpha, term.rate / travel_rate);
+      const Interval rate(mpq_class(term.rate / travel_rate), few_bits);
       const mpq_class amplitude = abs(term.amplitude) / travel_rate * (1 + share);
-      const Interval first = kernel == Symbol::I1 ? bounds(*path.start, error.start, 0).size
-                                                  : now.size;  // The other kernels are bounded.
-      sum = sum + rational(amplitude, 0) * ((now.size + now.faded) * moved + first * started +
-                                            3 * Interval(share, bits) * now.memory);
+      const Interval size_at_start = kernel == Symbol::I1
+                                         ? kernel_bounds(kernel, *path.start, error.start, residue_terms).size
+                                         : now.size;
+      // Bounds of int_alpha^start |I(w)| dw, and of the rate times the memory.
+      const bool unbounded = is_unbounded(kernel, residue_terms);
+      const Interval integral = unbounded ? Interval(8L, few_bits) : now.size * way;
+      const Interval rate_times_memory = unbounded ? 8 * rate : now.size;
+      sum = sum + rational(amplitude, 0) *
+                      ((now.size + rate_times_memory) * off_now + size_at_start * off_at_start +
+                       3 * Interval(share, few_bits) * integral);
     }
     return sum;
   }
