@@ -28,7 +28,8 @@ class Destination {
     std::error_code none;
     if (!output || output->empty())
       refuse("output", output ? "" : "(missing)",
-             "must be a file or a folder, or --in-place given, which writes to {}", own_.string());
+             "must be a file or a folder; make and update also take --in-place, which writes to {}",
+             own_.string());
     path_ = fs::absolute(*output);
     is_file_ = files == 1 && path_.has_filename() && !fs::is_directory(path_, none);
     if (!is_file_ && fs::exists(path_, none) && !fs::is_directory(path_, none))
