@@ -242,7 +242,7 @@ class BodyOnHalfSpace final : public SolvedContact<typename Path::Number> {
   mutable std::function<std::array<Number, 3>(const Line&, const Position&)> displaced_;
 };
 
-template <class Path, class Contact, class Surface>
+template <class Path, class Surface, class Contact>
 Solved<Path> body_on(const Surface& surface, const Problem& problem, int digits,
                      Contact (*make)(const Surface&, const Problem&, int)) {
   return std::make_unique<BodyOnHalfSpace<Path, Surface, Contact>>(surface, problem, digits, make);
@@ -250,10 +250,11 @@ Solved<Path> body_on(const Surface& surface, const Problem& problem, int digits,
 
 template <class Path, class Surface>
 auto solve_by(const Surface& surface, const Problem& problem, int digits) {
-  if (problem.rule == data::ContourRule::exact) return body_on<Path>(surface, problem, digits, ellipse);
+  if (problem.rule == data::ContourRule::exact)
+    return body_on<Path, Surface>(surface, problem, digits, ellipse);
   return std::holds_alternative<data::RigidRollingSphere>(problem.body)
-             ? body_on<Path>(surface, problem, digits, roll)
-             : body_on<Path>(surface, problem, digits, slide);
+             ? body_on<Path, Surface>(surface, problem, digits, roll)
+             : body_on<Path, Surface>(surface, problem, digits, slide);
 }
 
 }  // namespace
