@@ -175,17 +175,22 @@ LineLoadNip line_loads_for_load(const data::ViscoelasticNip& nip, const data::Vi
                                      contact_of);
     };
   };
-  // Whether a load is known to pull.
-  const auto pulls = [&] {
+  // Whether no load pulls, that is, is negative; nothing if the highest precision leaves a sign undecided.
+  const auto presses_everywhere = [&] {
     std::optional<bool> presses;
     solved_to(digits_of_search, extra_digits, carrying_to(digits_of_search),
               [&](const SolvedLineLoads& contact) {
                 presses = contact.presses_everywhere();
                 return presses.has_value();
               });
-    return presses == false;
+    return presses;
   };
-  while (!method.trailing_elements && problem.trailing > 0 && pulls()) --problem.trailing;
+  while (!method.trailing_elements && problem.trailing > 0) {
+    const std::optional<bool> presses = presses_everywhere();
+    if (!presses) throw BadInput("load", load, "must be one whose trailing elements can be proven");
+    if (*presses) break;
+    --problem.trailing;
+  }
   if (auto solution = solved_to(digits, extra_digits, carrying_to(digits))) return *std::move(solution);
   throw BadInput("load", load, "must be one whose contact length can be proven");
 }
