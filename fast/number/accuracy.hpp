@@ -21,7 +21,7 @@ class Accuracy {
   /// The requested tolerance.
   [[nodiscard]] constexpr double rtol() const { return rtol_; }
 
-  /// Index of this tolerance in the arrays of internal::TierWork (tiers.hpp); 0 is the cheapest.
+  /// Index of the work for this tolerance in internal::tier_works (tiers.hpp); 0 is the cheapest.
   [[nodiscard]] constexpr int tier() const { return tier_; }
 
  private:

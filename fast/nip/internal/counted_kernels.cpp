@@ -15,7 +15,7 @@ RowVectorXd CountedKernels::counted(std::size_t kernel, Alphas alpha, const auto
   RowVectorXd values(static_cast<Eigen::Index>(alpha.size()));
   evaluate(std::span(values.data(), alpha.size()));
   work_.kernel_evaluations[kernel - 1] += alpha.size();
-  work_.terms += alpha.size() * static_cast<std::size_t>(internal::TierWork::piece[accuracy_.tier()] + 1);
+  work_.terms += alpha.size() * static_cast<std::size_t>(internal::tier_works[accuracy_.tier()].piece + 1);
   return values;
 }
 

@@ -14,32 +14,38 @@
 
 namespace nipref::fast::internal {
 
+/// The work behind one tolerance: degrees of the truncated series.
+struct Tier {
+  double error;      ///< promised error relative to the scale
+  bool coarse;       ///< whether one table of cubics serves for both the logarithm and the pieces
+  int piece;         ///< local polynomial of a piece
+  int log1p;         ///< ln(1 + r) inside one of 128 cells of the logarithm; 0: only the 16 cells are used
+  int short_log1p;   ///< ln(1 + r) inside one of 16 cells of the logarithm
+  int even;          ///< even remainder, as a polynomial in x^2
+  int exponential;   ///< decay of the residue
+  int sine;          ///< phase of the residue, odd part
+  int cosine;        ///< phase of the residue, even part
+  bool compensated;  ///< carry low words: in tables and in products of the argument with constants
+};
+
 inline constexpr int tier_count = 5;
 inline constexpr int full_tier = tier_count - 1;
 inline constexpr int piece_degree = 7;
 inline constexpr int even_degree = 10;
 inline constexpr int coarse_degree = 3;
 
-/// The work behind each tolerance: degrees of the truncated series. Each array has an entry for each tier.
-struct TierWork {
-  static constexpr double error[]{1e-3, 5e-7, 1e-9, 5e-13, 0x1p-51};  ///< promised, relative to the scale
-  /// Whether one table of cubics serves for both the logarithm and the pieces.
-  static constexpr bool coarse[]{true, true, false, false, false};
-  static constexpr int piece[]{2, coarse_degree, 4, 6, piece_degree};  ///< local polynomial of a piece
-  static constexpr int log1p[]{0, 0, 0, 0, 6};  ///< ln(1 + r) inside one of 128 cells; 0: the 16 cells serve
-  static constexpr int short_log1p[]{0, 0, 6, 8, 10};    ///< ln(1 + r) inside one of 16 cells
-  static constexpr int even[]{2, 4, 5, 7, even_degree};  ///< even remainder, as a polynomial in x^2
-  static constexpr int exponential[]{1, 2, 3, 5, 6};     ///< decay of the residue
-  static constexpr int sine[]{1, 3, 5, 7, 7};            ///< phase of the residue, odd part
-  static constexpr int cosine[]{2, 4, 4, 6, 8};          ///< phase of the residue, even part
-  /// Whether low words are carried, in tables and in products of the argument with constants.
-  static constexpr bool compensated[]{false, false, false, true, true};
+inline constexpr Tier tier_works[tier_count] = {
+    {1e-3, true, 2, 0, 0, 2, 1, 1, 2, false},
+    {5e-7, true, coarse_degree, 0, 0, 4, 2, 3, 4, false},
+    {1e-9, false, 4, 0, 6, 5, 3, 5, 4, false},
+    {5e-13, false, 6, 0, 8, 7, 5, 7, 6, true},
+    {0x1p-51, false, piece_degree, 6, 10, even_degree, 6, 7, 8, true},
 };
 
 /// The cheapest tier whose promised error is at most rtol, or the full tier if there is none.
 constexpr int cheapest_tier(double rtol) {
   for (int tier = 0; tier < full_tier; ++tier) {
-    if (TierWork::error[tier] <= rtol) return tier;
+    if (tier_works[tier].error <= rtol) return tier;
   }
   return full_tier;
 }

@@ -38,7 +38,7 @@ NIPREF_INLINE CoarsePoint<Number> locate_coarsely(Number x) {
   const Decomposed<Number> part = decompose(x);
   const Number near_x = select(near, x, none), square = near_x * near_x;
   auto at = about_coarse_centre(select(near, part.mantissa, bounded), select(near, log_shift, piece_shift));
-  at.rest = mul_add(square, horner<TierWork::even[tier] - 1>(table.even[tier], square),
+  at.rest = mul_add(square, horner<tier_works[tier].even - 1>(table.even[tier], square),
                     select(near, part.exponent, none) * -ln2);
   if constexpr (component == Component::alpha_part_of_I6)
     at.rest = mul_add(all<Number>(table.odd), near_x, at.rest);
@@ -60,7 +60,7 @@ template <Component component, int tier>
 NIPREF_INLINE double coarse(double x) {
   const ComponentTable& table = component_tables[static_cast<int>(component)];
   const auto at = locate_coarsely<component, tier>(x);
-  const double cubic = cubics<TierWork::piece[tier]>(table.coarse[0], at.offset, at.t);
+  const double cubic = cubics<tier_works[tier].piece>(table.coarse[0], at.offset, at.t);
   return shape_of<component> == Shape::odd ? x * cubic : cubic + at.rest;
 }
 

@@ -49,7 +49,7 @@ NIPREF_INLINE void evaluate_around_tail(const CoarseBlock& block, const double* 
   const double* tail = block.tail_value;
   for (size_t i = 0; i < static_cast<size_t>(n); i += lanes) {
     Vector result =
-        cubics<TierWork::piece[tier]>(table.coarse[0], block.offset + i, load<Vector>(block.t + i));
+        cubics<tier_works[tier].piece>(table.coarse[0], block.offset + i, load<Vector>(block.t + i));
     if constexpr (shape_of<component> == Shape::logarithmic) result += load<Vector>(block.rest + i);
     if constexpr (shape_of<component> == Shape::odd) result *= load<Vector>(argument + i);
     const LaneBits is_tail = block.is_tail[i / lanes];

@@ -31,7 +31,7 @@ template <Component component, int tier>
 NIPREF_INLINE Pair evaluate(double x) {
   if (x >= piece_end) [[unlikely]]
     return residue_tail<component, tier>(x);
-  if constexpr (TierWork::coarse[tier]) {
+  if constexpr (tier_works[tier].coarse) {
     return {coarse<component, tier>(x), 0};
   } else {
     return is_near_zero<component>(x) ? near_zero<component, tier>(x) : piece<component, tier>(x);

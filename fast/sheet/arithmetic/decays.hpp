@@ -30,7 +30,7 @@ NIPREF_INLINE void even_rest(Component component, double from, double length, co
   const double* even = component_tables[static_cast<int>(component)].even[full_tier];
   for (size_t i = 0; i < count; ++i) {
     const double x = from + length * at[i];
-    value[i] = x * x * horner<TierWork::even[full_tier] - 1>(even, x * x);
+    value[i] = x * x * horner<tier_works[full_tier].even - 1>(even, x * x);
   }
 }
 

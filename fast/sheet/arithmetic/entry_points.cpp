@@ -59,7 +59,7 @@ NIPREF_INLINE void in_blocks(const double* const (&argument)[inputs], double* va
 /// A component at a block of arguments: its values in `high`, or their high and low words.
 template <Component component, int tier, Words words>
 void evaluate_block(const double* argument, int32_t n, double* high, double* low) {
-  if constexpr (TierWork::coarse[tier]) {
+  if constexpr (tier_works[tier].coarse) {
     CoarseBlock block;
     coarse_block<component, tier>(argument, n, block, high);
     if constexpr (words == Words::two)

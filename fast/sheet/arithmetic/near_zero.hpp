@@ -24,15 +24,15 @@ NIPREF_INLINE Sum<Number> minus_logarithm(Number x) {
   const auto cell = table_index((bits_of(part.mantissa) >> cell_shift) & (short_log_cells - 1));
   const Number r =
       mul_add(part.mantissa, look_up(common_table.short_log_reciprocal, cell), all<Number>(-1.0));
-  Number low = minus_mul_subtract(r * r, horner<TierWork::short_log1p[tier] - 2>(log1p_curvature, r), r);
-  if constexpr (TierWork::compensated[tier])
+  Number low = minus_mul_subtract(r * r, horner<tier_works[tier].short_log1p - 2>(log1p_curvature, r), r);
+  if constexpr (tier_works[tier].compensated)
     low += minus_mul_add(part.exponent, all<Number>(ln2_low), look_up(table.short_log_low, cell));
   return {minus_mul_add(part.exponent, all<Number>(ln2_high), look_up(table.short_log_high, cell)), low};
 }
 
 /// The component's constant minus ln x for one number, with 128 cells: only terms below 1/256 are rounded.
 template <Component component, int tier>
-requires(TierWork::log1p[tier] != 0) NIPREF_INLINE Pair minus_logarithm(double x) {
+requires(tier_works[tier].log1p != 0) NIPREF_INLINE Pair minus_logarithm(double x) {
   constexpr int cell_shift = 45;
   constexpr uint64_t half_cell = uint64_t{1} << (cell_shift - 1);
   const ComponentTable& table = component_tables[static_cast<int>(component)];
@@ -40,8 +40,8 @@ requires(TierWork::log1p[tier] != 0) NIPREF_INLINE Pair minus_logarithm(double x
   const uint64_t cells = bits_of(part.mantissa) >> cell_shift, cell = cells & (log_cells - 1);
   const double centre = from_bits(cells << cell_shift | half_cell);
   const double r = (part.mantissa - centre) * common_table.log_reciprocal[cell];
-  double low = minus_mul_subtract(r * r, horner<TierWork::log1p[tier] - 2>(log1p_curvature, r), r);
-  if constexpr (TierWork::compensated[tier])
+  double low = minus_mul_subtract(r * r, horner<tier_works[tier].log1p - 2>(log1p_curvature, r), r);
+  if constexpr (tier_works[tier].compensated)
     low += minus_mul_add(part.exponent, ln2_low, table.log_low[cell]);
   return {table.log_high[cell] - part.exponent * ln2_high, low};
 }
@@ -53,7 +53,7 @@ NIPREF_INLINE Sum<Number> near_zero(Number x) {
   const ComponentTable& table = component_tables[static_cast<int>(component)];
   const Number square = x * x;
   Sum<Number> sum = minus_logarithm<component, tier>(x);
-  sum.low = mul_add(square, horner<TierWork::even[tier] - 1>(table.even[tier], square), sum.low);
+  sum.low = mul_add(square, horner<tier_works[tier].even - 1>(table.even[tier], square), sum.low);
   if constexpr (component == Component::alpha_part_of_I6)
     sum.low = mul_add(all<Number>(table.odd), x, sum.low);
   return sum;

@@ -25,7 +25,7 @@ NIPREF_INLINE Located<Number> locate(Number x) {
 /// centre. Odd components are tabulated as f(x)/x, which makes them relatively accurate down to denormal x.
 template <Component component, int tier, class Number>
 NIPREF_INLINE Sum<Number> piece(Number x) {
-  constexpr int degree = TierWork::piece[tier];
+  constexpr int degree = tier_works[tier].piece;
   static_assert(degree >= 4 && piece_degree == 7);
   const ComponentTable& table = component_tables[static_cast<int>(component)];
   const Located<Number> at = locate(x);
@@ -36,7 +36,7 @@ NIPREF_INLINE Sum<Number> piece(Number x) {
   for (int k = degree - 1; k >= 1; --k)
     sum = mul_add(sum, at.t, k >= 4 ? second.number[k - 4] : first.number[k]);
   Number low = at.t * sum;
-  if constexpr (TierWork::compensated[tier]) low += gather_eighths(table.constant_low, offset);
+  if constexpr (tier_works[tier].compensated) low += gather_eighths(table.constant_low, offset);
   if constexpr (shape_of<component> == Shape::odd) return {mul_add(x, first.number[0], x * low), Number{}};
   return {first.number[0], low};
 }

@@ -13,7 +13,7 @@ struct Position {
 
 template <int tier>
 NIPREF_INLINE Position position(double x, double constant_high, double constant_low) {
-  if constexpr (TierWork::compensated[tier]) {
+  if constexpr (tier_works[tier].compensated) {
     // x times the constant reaches 4700, where one double would leave an error of 1e-12 in the phase.
     const Pair product = two_product(x, constant_high);
     const Nearest cell = nearest(product.high);
@@ -33,8 +33,8 @@ NIPREF_INLINE Pair decay(Position where) {
   const ComponentTable& table = component_tables[static_cast<int>(component)];
   const int64_t j = where.cell & (exponential_cells - 1);
   const double y = -ln2_cell * where.offset;
-  double low = table.exponential_high[j] * (y * horner<TierWork::exponential[tier] - 1>(series.of, y));
-  if constexpr (TierWork::compensated[tier]) low += table.exponential_low[j];
+  double low = table.exponential_high[j] * (y * horner<tier_works[tier].exponential - 1>(series.of, y));
+  if constexpr (tier_works[tier].compensated) low += table.exponential_low[j];
   return {table.exponential_high[j], low};
 }
 
@@ -48,11 +48,11 @@ NIPREF_INLINE Pair oscillation(Position where) {
   const int64_t p = where.cell & (phase_cells - 1);
   const double b = turn_cell * where.offset;
   const double square = b * b;
-  const double sine = b * horner<TierWork::sine[tier] / 2>(sine_series.of, square);
+  const double sine = b * horner<tier_works[tier].sine / 2>(sine_series.of, square);
   const double cosine_minus_one =
-      square * horner<TierWork::cosine[tier] / 2 - 1>(cosine_series.of + 1, square);
+      square * horner<tier_works[tier].cosine / 2 - 1>(cosine_series.of + 1, square);
   double low = mul_add(table.cosine_high[p], cosine_minus_one, -table.sine[p] * sine);
-  if constexpr (TierWork::compensated[tier]) low += table.cosine_low[p];
+  if constexpr (tier_works[tier].compensated) low += table.cosine_low[p];
   return {table.cosine_high[p], low};
 }
 

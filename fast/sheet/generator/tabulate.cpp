@@ -76,7 +76,7 @@ void fill_even_remainder(const Series& about_zero, ComponentTable& table) {
   const Real end = Real(internal::near_end) * internal::near_end;
   for (int tier = 0; tier < internal::tier_count; ++tier) {
     const Series polynomial = interpolated([&](const Real& square) { return value(even, square); }, Real(0),
-                                           end, internal::TierWork::even[tier] - 1);
+                                           end, internal::tier_works[tier].even - 1);
     for (std::size_t k = 0; k < polynomial.size(); ++k) table.even[tier][k] = rounded(polynomial[k]);
   }
 }
