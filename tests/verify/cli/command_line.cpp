@@ -223,13 +223,13 @@ TEST_CASE("each verb's help has what its names are, two examples and the exit st
     const std::size_t first = help.find(one, help.find("Examples:\n"));
     REQUIRE(first != std::string::npos);
     CHECK(help.find(one, first + one.size()) != std::string::npos);
-    for (const char* status : {"0 all well", "1 a check", "2 bad input", "4 output", "130 interrupted"})
+    for (const char* status : {"0 success", "1 a check", "2 bad input", "4 output", "130 interrupted"})
       CHECK(contains(unfolded(help), status));
     if (verb != "report") CHECK(contains(help, "Positionals:"));
   }
   const auto [least, most] = std::ranges::minmax(verify::catalogue(), {}, &verify::Quantity::audit_points);
   CHECK(contains(run("help audit").out, std::to_string(least.audit_points) + " to " +
-                                            std::to_string(most.audit_points) + ", see list"));
+                                            std::to_string(most.audit_points) + ", as 'nipref list' says"));
 }
 
 TEST_CASE("defaults are in the domains of the table of verbs, and each verb refuses what is beyond") {
