@@ -24,7 +24,8 @@ void check_covered(const nipref::verify::SceneSolution<nipref::fast::Estimate>& 
                    const nipref::verify::SceneSolution<Number>& truth) {
   REQUIRE(found.results.size() == truth.results.size());
   for (std::size_t r = 0; r < found.results.size(); ++r) {
-    const auto &numbers = found.results[r].numbers, &truths = truth.results[r].numbers;
+    const auto& numbers = found.results[r].numbers;
+    const auto& truths = truth.results[r].numbers;
     CAPTURE(found.results[r].what->name);
     REQUIRE(numbers.size() == truths.size());
     for (std::size_t i = 0; i < numbers.size(); ++i) {

@@ -22,6 +22,9 @@ struct EachPart {
     (*this)(more...);
   }
 };
+/// Clang 16 does not deduce the argument of an aggregate by itself.
+template <class One>
+EachPart(One) -> EachPart<One>;
 
 inline Json stored(double number) { return exact_json(number); }
 inline Json stored(std::integral auto count) { return count; }
