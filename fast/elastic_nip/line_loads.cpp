@@ -89,18 +89,18 @@ double odd(const Eigen::RowVectorXd& kernel, int multiple) {
 /// 2 i a, loads at +-(2k - 1) a, so that all distances are odd multiples of half an element a. Rows: u at i = 0 .. m,
 /// with friction v at i = 1 .. m; v at the middle of the nip is 0 by symmetry. (thesis 5.8, 5.11)
 Eigen::MatrixXd matching_matrix(const data::ElasticNip& nip, const LineLoadMethod& method,
-                                double contact_length, bool grips, Work& work) {
+                                double contact_length, bool sticks, Work& work) {
   const LineLoadKernels kernels =
       line_load_kernels(nip.material, method, odd_multiples(nip, method, contact_length),
-                        {.I1 = true, .coupling = grips, .I6 = grips}, work);
-  const int m = method.elements_per_side, unknowns = (grips ? 2 : 1) * m + 1;
+                        {.I1 = true, .coupling = sticks, .I6 = sticks}, work);
+  const int m = method.elements_per_side, unknowns = (sticks ? 2 : 1) * m + 1;
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(unknowns, unknowns);
   matrix.col(0).head(m + 1).setOnes();
   for (int k = 1; k <= m; ++k) {
     for (int i = 0; i <= m; ++i) {
       const int near = 2 * (i - k) + 1, far = 2 * (i + k) - 1;
       matrix(i, k) = -(even(kernels.I1, near) + even(kernels.I1, far));
-      if (!grips) continue;
+      if (!sticks) continue;
       matrix(i, m + k) = odd(kernels.coupling, near) - odd(kernels.coupling, far);
       if (i == 0) continue;
       matrix(m + i, k) = odd(kernels.coupling, near) + odd(kernels.coupling, far);
@@ -111,12 +111,12 @@ Eigen::MatrixXd matching_matrix(const data::ElasticNip& nip, const LineLoadMetho
 }
 
 /// The gap Y^2/(2R) on the rows of u; with friction a second column, Y on the rows of v, for a creep of 1.
-Eigen::MatrixXd right_hand_sides(const data::ElasticNip& nip, int m, double contact_length, bool grips) {
-  Eigen::MatrixXd sides = Eigen::MatrixXd::Zero((grips ? 2 : 1) * m + 1, grips ? 2 : 1);
+Eigen::MatrixXd right_hand_sides(const data::ElasticNip& nip, int m, double contact_length, bool sticks) {
+  Eigen::MatrixXd sides = Eigen::MatrixXd::Zero((sticks ? 2 : 1) * m + 1, sticks ? 2 : 1);
   for (int i = 0; i <= m; ++i) {
     const double y = i * contact_length / (2 * m);
     sides(i, 0) = y * y / (2 * nip.roller_radius);
-    if (grips && i > 0) sides(m + i, 1) = y;
+    if (sticks && i > 0) sides(m + i, 1) = y;
   }
   return sides;
 }
@@ -150,11 +150,11 @@ std::vector<CreepRange> creep_ranges(const Eigen::MatrixXd& unknowns, int m) {
 std::vector<FaceLoad> both_sides(const data::ElasticNip& nip, int m, double width,
                                  const Eigen::VectorXd& unknowns) {
   const double unit = std::numbers::pi / nip.material.normal_compliance();
-  const bool grips = unknowns.size() > m + 1;
+  const bool sticks = unknowns.size() > m + 1;
   std::vector<FaceLoad> loads;
   for (int j = 0; j < 2 * m; ++j) {
     const int k = j < m ? m - j : j - m + 1;
-    const double shear = grips ? unit * unknowns(m + k) : 0;
+    const double shear = sticks ? unit * unknowns(m + k) : 0;
     loads.push_back({(m - j - 0.5) * width, unit * unknowns(k), j < m ? shear : 0 - shear});
   }
   return loads;
@@ -164,17 +164,17 @@ std::vector<FaceLoad> both_sides(const data::ElasticNip& nip, int m, double widt
 std::optional<LineLoadNip> solved(const data::ElasticNip& nip, const LineLoadMethod& method,
                                   double contact_length, const Grip& grip,
                                   const std::shared_ptr<Work>& work) {
-  const bool grips = grip.kind != Grip::Creep::none;
+  const bool sticks = grip.kind != Grip::Creep::none;
   const int m = method.elements_per_side;
   // The matrix comes first, because it throws BadInput outside the domain.
-  const Eigen::MatrixXd matrix = matching_matrix(nip, method, contact_length, grips, *work);
+  const Eigen::MatrixXd matrix = matching_matrix(nip, method, contact_length, sticks, *work);
   const Eigen::MatrixXd unknowns =
-      Elimination(matrix).solve_columns(right_hand_sides(nip, m, contact_length, grips));
+      Elimination(matrix).solve_columns(right_hand_sides(nip, m, contact_length, sticks));
   work->count_system(static_cast<int>(unknowns.rows()));
   Eigen::VectorXd at_creep = unknowns.col(0);
   std::optional<double> creep;
   std::vector<CreepRange> ranges;
-  if (grips) {
+  if (sticks) {
     ranges = creep_ranges(unknowns, m);
     const auto chosen = thesis_creep(ranges);
     if (grip.kind == Grip::Creep::thesis && !chosen) return std::nullopt;
@@ -187,7 +187,7 @@ std::optional<LineLoadNip> solved(const data::ElasticNip& nip, const LineLoadMet
                      .indentation = at_creep(0),
                      .loads = both_sides(nip, m, contact_length / (2 * m), at_creep),
                      .is_symmetric = true,
-                     .sheet = elastic_sheet(nip, method, grips),
+                     .sheet = elastic_sheet(nip, method, sticks),
                      .spent = work,
                      .gripped_creep = creep,
                      .creep_ranges = std::move(ranges)};
@@ -210,18 +210,18 @@ void LineLoadMethod::check() const {
   internal::check_range("residue_terms", residue_terms, 0, most_residue_terms);
 }
 
-LineLoadSheet elastic_sheet(const data::ElasticNip& nip, const LineLoadMethod& method, bool grips) {
+LineLoadSheet elastic_sheet(const data::ElasticNip& nip, const LineLoadMethod& method, bool sticks) {
   return [=](FaceDirection direction, std::span<const FaceLoad> loads, double y, Work& work) {
     const bool normal = direction == FaceDirection::normal;
     std::vector<double> alpha;
     for (const FaceLoad& load : loads) alpha.push_back((y - load.y) / nip.half_thickness());
     const LineLoadKernels kernels =
         line_load_kernels(nip.material, method, alpha,
-                          {.I1 = normal, .coupling = !normal || grips, .I6 = !normal && grips}, work);
+                          {.I1 = normal, .coupling = !normal || sticks, .I6 = !normal && sticks}, work);
     double sum = 0;
     for (Eigen::Index j = 0; const FaceLoad& load : loads) {
       sum += load.normal * (normal ? kernels.I1 : kernels.coupling)[j];
-      if (grips) sum += load.shear * (normal ? -kernels.coupling[j] : kernels.I6[j]);
+      if (sticks) sum += load.shear * (normal ? -kernels.coupling[j] : kernels.I6[j]);
       ++j;
     }
     return nip.material.normal_compliance() * std::numbers::inv_pi * sum;
@@ -253,8 +253,8 @@ LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMetho
     throw data::BadInput("tolerance", search.tolerance, "must satisfy 1e-14 <= tolerance <= 0.1");
   const auto work = std::make_shared<Work>();
   double trial = nip.sheet_thickness;
-  const bool grips = grip.kind != Grip::Creep::none;
-  if (grips) {
+  const bool sticks = grip.kind != Grip::Creep::none;
+  if (sticks) {
     const LineLoadNip frictionless = line_loads_for_load(nip, method, load, {}, {.tolerance = 1e-2});
     *work += frictionless.work();
     trial = frictionless.contact_length();
@@ -265,7 +265,7 @@ LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMetho
   LineLoadNip result = solution_at_end(lengths, [&](double length) {
     auto tried = solved(nip, method, length, grip, work);
     if (!tried) refuse_without_creep("load", load);
-    if (grips && !(tried->load() > 0)) refuse_load(load);
+    if (sticks && !(tried->load() > 0)) refuse_load(load);
     return *std::move(tried);
   });
   if (!lengths.met()) refuse_load(load);

@@ -58,7 +58,7 @@ ConvergedNip converged_for_length(const data::ElasticNip& nip, data::Friction fr
   ConvergedNip::Parts parts = parts_of(nip, friction, digits);
   parts.half_length = half_length;
   if (proven_terms(nip, friction, contact_length, digits, most_terms) > 0) {
-    parts.proof = parts.sheet->grips()
+    parts.proof = parts.sheet->sticks()
                       ? proven_gripped(half_length, beta_of(nip.material), digits, {})
                       : proven_elastic(half_length, beta_of(nip.material), digits, I1_interval, most_terms);
   }
@@ -77,7 +77,7 @@ ConvergedNip converged_for_load(const data::ElasticNip& nip, data::Friction fric
   };
   // The guess is good to a tenth or so.
   if (is_allowed(0.8 * guess) && is_allowed(1.25 * guess)) {
-    parts.proof = parts.sheet->grips()
+    parts.proof = parts.sheet->sticks()
                       ? proven_gripped_for_load(wanted, guess, is_allowed, beta_of(nip.material), digits, {},
                                                 most_terms)
                       : proven_elastic_for_load(wanted, guess, is_allowed, beta_of(nip.material), digits,

@@ -28,7 +28,7 @@ struct Problem {
   Grip grip;
   std::span<const double> given_I1 = {};  ///< values of I1 at odd multiples, if they are given
 
-  [[nodiscard]] bool grips() const { return grip.kind != Grip::Creep::none; }
+  [[nodiscard]] bool sticks() const { return grip.kind != Grip::Creep::none; }
   [[nodiscard]] int elements() const { return method.elements_per_side; }
 };
 
@@ -88,26 +88,26 @@ NearlyKnownSystem system_of(const Problem& problem, const Lengths& lengths, int 
   const auto of = [&](PlainKernel kernel) { return evaluate(problem, lengths, kernel, digits); };
   using Values = std::vector<Interval>;
   const Values normal = of(PlainKernel::I1),
-               tangential = problem.grips() ? of(PlainKernel::I6_alpha_part) : Values(),
-               coupling = problem.grips() ? of(PlainKernel::I3) : Values();
+               tangential = problem.sticks() ? of(PlainKernel::I6_alpha_part) : Values(),
+               coupling = problem.sticks() ? of(PlainKernel::I3) : Values();
   const Interval part = theta2_part(problem.nip);
   const auto coupling_at = [&](int multiple) {
     const Interval value = at(coupling, multiple) - part;
     return multiple > 0 ? value : -value;
   };
   auto system =
-      problem.grips() ? NearlyKnownSystem::of_size(2 * m + 1, 2) : NearlyKnownSystem::of_size(m + 1, 1);
+      problem.sticks() ? NearlyKnownSystem::of_size(2 * m + 1, 2) : NearlyKnownSystem::of_size(m + 1, 1);
   const Interval diameter = 2 * Interval(problem.nip.roller_radius, working_bits());
   for (int i = 0; i <= m; ++i) {
     // The collocation point, 2 i a.
     const Interval place = i * lengths.interval() / (2L * m);
     system.set_right(i, 0, square(place) / diameter);
     system.matrix(i, 0) = 1;
-    if (problem.grips() && i > 0) system.set_right(m + i, 1, place);
+    if (problem.sticks() && i > 0) system.set_right(m + i, 1, place);
     for (int k = 1; k <= m; ++k) {
       const int near = 2 * (i - k) + 1, far = 2 * (i + k) - 1;
       system.set(i, k, -(at(normal, near) + at(normal, far)));
-      if (!problem.grips()) continue;
+      if (!problem.sticks()) continue;
       system.set(i, m + k, coupling_at(near) - coupling_at(far));
       if (i == 0) continue;
       system.set(m + i, k, coupling_at(near) + coupling_at(far));
@@ -165,7 +165,7 @@ SolvedLineLoads contact_of(const Problem& problem, const Lengths& lengths, const
 std::optional<SolvedLineLoads> solve(const Problem& problem, const Lengths& lengths, int digits) {
   auto solved = enclosed_solutions(system_of(problem, lengths, digits));
   if (!solved) return std::nullopt;
-  if (!problem.grips()) return contact_of(problem, lengths, *solved, solved->unknowns.front(), digits);
+  if (!problem.sticks()) return contact_of(problem, lengths, *solved, solved->unknowns.front(), digits);
   const std::vector<Interval>&at_zero = solved->unknowns.front(), &per_creep = solved->unknowns.back();
   const std::vector<Interval> loads_at_zero(at_zero.begin() + 1, at_zero.end()),
       loads_per_creep(per_creep.begin() + 1, per_creep.end());

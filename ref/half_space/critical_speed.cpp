@@ -86,9 +86,9 @@ struct Line {
 
 /// Lines so close to each other that no line between them has a critical speed that is lower than the lowest found by
 /// more than a given step. Proof: ref/half_space/README.md, Critical speeds.
-class Landscape {
+class LineGrid {
  public:
-  Landscape(const ExactStiffness& solid, const SurfaceDirection& motion) : solid_(solid), motion_(motion) {
+  LineGrid(const ExactStiffness& solid, const SurfaceDirection& motion) : solid_(solid), motion_(motion) {
     constexpr double most_apart = 3000;
     const double theta = motion.degrees();
     for (const double from_motion : {-90.0, 0.0, 90.0}) lines_.push_back(at(theta + from_motion));
@@ -208,7 +208,7 @@ class Landscape {
 /// the speeds of the lines are proven. BadInput "solid" if the fastest wave along the surface is 3000 times as fast, if
 /// 800 lines do not suffice for the step 1e-3, or if no proof is found for a line.
 std::vector<CriticalLine> lowest_lines(const ExactStiffness& solid, const SurfaceDirection& motion) {
-  return Landscape(solid, motion).minima();
+  return LineGrid(solid, motion).minima();
 }
 
 /// The smooth minimum next to psi.

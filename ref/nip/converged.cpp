@@ -247,7 +247,7 @@ struct ConvergedNip::Computed : Parts {
   }
 
   void check_has_shear() const {
-    if (!sheet->grips()) throw BadInput("friction.model", "none", "must be full for places of the shear");
+    if (!sheet->sticks()) throw BadInput("friction.model", "none", "must be full for places of the shear");
   }
 
   [[nodiscard]] const Float& tangential_at_middle(const NipSolution& of) const {
@@ -359,7 +359,7 @@ Estimate ConvergedNip::peak_pressure() const {
 
 Estimate ConvergedNip::peak_pressure_position() const {
   // The middle, by symmetry and if there is only one peak.
-  if (parts_->sheet->is_symmetric() && (parts_->sheet->grips() || !parts_->proof))
+  if (parts_->sheet->is_symmetric() && (parts_->sheet->sticks() || !parts_->proof))
     return {0, 0, parts_->digits};
   const auto place = [](const NipSolution& of) -> Float {
     return of.half_length() + of.offset() - place_of_largest(of, &PressureAndShear::pressure);
@@ -369,7 +369,7 @@ Estimate ConvergedNip::peak_pressure_position() const {
 }
 
 Estimate ConvergedNip::peak_shear() const {
-  if (!parts_->sheet->grips()) return exact_zero(parts_->digits);
+  if (!parts_->sheet->sticks()) return exact_zero(parts_->digits);
   const auto largest = [](const NipSolution& of) -> Float {
     return abs(of.tractions(place_of_largest(of, &PressureAndShear::shear)).shear);
   };
@@ -411,7 +411,7 @@ Estimate ConvergedNip::pressure(double y) const {
 }
 
 Estimate ConvergedNip::shear(double y) const {
-  if (std::isfinite(y) && (!parts_->sheet->grips() || y == 0)) return exact_zero(parts_->digits);
+  if (std::isfinite(y) && (!parts_->sheet->sticks() || y == 0)) return exact_zero(parts_->digits);
   return parts_->traction(y, &PressureAndShear::shear, &ProvenResults::shear);
 }
 
@@ -444,7 +444,7 @@ Estimate ConvergedNip::surface_strain(double y) const {
   const NipSolution& fine = parts_->fine();
   const Float x = parts_->behind(fine, y);
   // Without friction the strain contains -beta p, and so beta times the error of the pressure.
-  const Float at_once = parts_->sheet->grips() ? Float(0) : parts_->sheet->beta();
+  const Float at_once = parts_->sheet->sticks() ? Float(0) : parts_->sheet->beta();
   return parts_->estimated(
       &Unit::slope, [&](const NipSolution& of) { return of.strain(parts_->behind(of, y)); },
       fine.half_length() + (parts_->is_outside(x) ? Float(0) : Float(at_once * pressure_of(fine))),

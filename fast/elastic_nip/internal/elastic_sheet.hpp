@@ -4,6 +4,6 @@
 namespace nipref::fast {
 
 /// The sheet under loads across its faces and, if it is gripped, along them.
-LineLoadSheet elastic_sheet(const data::ElasticNip& nip, const LineLoadMethod& method, bool grips);
+LineLoadSheet elastic_sheet(const data::ElasticNip& nip, const LineLoadMethod& method, bool sticks);
 
 }  // namespace nipref::fast

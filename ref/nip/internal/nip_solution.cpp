@@ -101,8 +101,8 @@ namespace {
 
 /// The decay rate of the slowest wave between the faces. Without friction it is pi: sinh^2 x has the zero i pi. With
 /// full friction it is half the zero of (3 - 4 poisson) sin x = x, where 3 - 4 poisson = (1 + beta)/(1 - beta).
-double decay_of(bool grips, double beta) {
-  if (!grips) return std::numbers::pi;
+double decay_of(bool sticks, double beta) {
+  if (!sticks) return std::numbers::pi;
   double low = 0, high = std::numbers::pi;
   while (high - low > 1e-9) {
     const double middle = (low + high) / 2;
@@ -113,9 +113,9 @@ double decay_of(bool grips, double beta) {
 
 }  // namespace
 
-Float ElasticSheet::epsilon() const { return grips_ ? Float(atanh(beta_) / pi()) : Float(0); }
+Float ElasticSheet::epsilon() const { return sticks_ ? Float(atanh(beta_) / pi()) : Float(0); }
 
-Resolution ElasticSheet::resolution() const { return {decay_of(grips_, static_cast<double>(beta_)), {}, 1}; }
+Resolution ElasticSheet::resolution() const { return {decay_of(sticks_, static_cast<double>(beta_)), {}, 1}; }
 
 namespace {
 
@@ -128,7 +128,7 @@ class ElasticSolution : public NipSolution {
     const auto count = static_cast<Index>(points.size());
     const Index columns = tractions_.columns();
     std::vector<LineFunctional> functionals{normal()};
-    if (sheet_.grips()) functionals.push_back(tangential());
+    if (sheet_.sticks()) functionals.push_back(tangential());
     const Index size = columns + static_cast<Index>(functionals.size());
     Matrix matrix(size, size);
     Vector right(size);
@@ -136,16 +136,16 @@ class ElasticSolution : public NipSolution {
       const Float& e = points[static_cast<std::size_t>(i)];
       const std::vector<Vector> rows = tractions_.rows(e, functionals, kernels_);
       matrix.row(i).leftCols(columns) = rows[0].transpose();
-      if (sheet_.grips()) matrix.row(count + i).leftCols(columns) = rows[1].transpose();
+      if (sheet_.sticks()) matrix.row(count + i).leftCols(columns) = rows[1].transpose();
       // This unknown is the displacement at the end over A, so that all unknowns are of about one size.
       matrix(i, columns) = -half_length();
       right(i) = e * (2 * half_length() - e);
-      if (sheet_.grips()) matrix(count + i, columns + 1) = -(half_length() - e);
+      if (sheet_.sticks()) matrix(count + i, columns + 1) = -(half_length() - e);
     }
     const Vector solution = refined_solution(matrix, right);
     leading_ = trailing_ = solution.block(0, 0, columns, 1);
     edge_displacement_ = solution(columns) * half_length();
-    if (sheet_.grips()) creep_ = solution(columns + 1);
+    if (sheet_.sticks()) creep_ = solution(columns + 1);
     load_ = 2 * tractions_.integral().cwiseProduct(leading_).sum();
   }
 
@@ -161,16 +161,16 @@ class ElasticSolution : public NipSolution {
   }
 
   [[nodiscard]] Float tangential(const Float& x) const override {
-    if (sheet_.grips() && before_end(x) >= 0) return creep_ * (half_length() - x);
+    if (sheet_.sticks() && before_end(x) >= 0) return creep_ * (half_length() - x);
     const Float along = value(x, tangential());
     return x <= half_length() ? along : Float(-along);
   }
 
   [[nodiscard]] Float strain(const Float& x) const override {
-    if (sheet_.grips() && before_end(x) >= 0) return creep_;
+    if (sheet_.sticks() && before_end(x) >= 0) return creep_;
     LineFunctional slope;
     slope.pressure(Influence::coupling_slope, 1 / pi());
-    if (sheet_.grips()) slope.shear(Influence::normal_slope, 1 / pi()).shear(Influence::coupling, -1 / pi());
+    if (sheet_.sticks()) slope.shear(Influence::normal_slope, 1 / pi()).shear(Influence::coupling, -1 / pi());
     return value(x, slope) - sheet_.beta() * tractions(x).pressure;
   }
 
@@ -178,7 +178,7 @@ class ElasticSolution : public NipSolution {
   [[nodiscard]] LineFunctional normal() const {
     LineFunctional result;
     result.pressure(Influence::normal, 1 / pi());
-    if (sheet_.grips())
+    if (sheet_.sticks())
       result.shear(Influence::sign, sheet_.beta() / 2).shear(Influence::coupling, -1 / pi());
     return result;
   }
@@ -186,7 +186,7 @@ class ElasticSolution : public NipSolution {
   [[nodiscard]] LineFunctional tangential() const {
     LineFunctional result;
     result.pressure(Influence::sign, -sheet_.beta() / 2).pressure(Influence::coupling, 1 / pi());
-    if (sheet_.grips()) result.shear(Influence::normal, 1 / pi()).shear(Influence::stretch, 1 / pi());
+    if (sheet_.sticks()) result.shear(Influence::normal, 1 / pi()).shear(Influence::stretch, 1 / pi());
     return result;
   }
 
@@ -208,7 +208,7 @@ class ElasticSolution : public NipSolution {
 std::unique_ptr<NipSolution> ElasticSheet::solved(const Float& half_length, std::vector<TractionPanel> panels,
                                                   double nats, SheetKernels& kernels) const {
   return std::make_unique<ElasticSolution>(
-      *this, Tractions(half_length, std::move(panels), epsilon(), grips_, nats), kernels);
+      *this, Tractions(half_length, std::move(panels), epsilon(), sticks_, nats), kernels);
 }
 
 namespace {

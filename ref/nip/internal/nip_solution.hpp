@@ -90,7 +90,7 @@ class NipSheet {
   [[nodiscard]] virtual std::unique_ptr<NipSolution> solved(const Float& half_length,
                                                             std::vector<TractionPanel> panels, double nats,
                                                             SheetKernels& kernels) const = 0;
-  [[nodiscard]] virtual bool grips() const = 0;
+  [[nodiscard]] virtual bool sticks() const = 0;
   /// Whether both halves of a contact are alike.
   [[nodiscard]] virtual bool is_symmetric() const = 0;
   /// theta2/N, both at once.
@@ -100,21 +100,21 @@ class NipSheet {
 /// The elastic sheet of a nip with full friction or none.
 class ElasticSheet : public NipSheet {
  public:
-  ElasticSheet(bool grips, Float beta) : grips_(grips), beta_(std::move(beta)) {}
+  ElasticSheet(bool sticks, Float beta) : sticks_(sticks), beta_(std::move(beta)) {}
 
   [[nodiscard]] Resolution resolution() const override;
-  [[nodiscard]] int unknowns(int terms) const override { return grips_ ? 2 * terms + 2 : terms + 1; }
+  [[nodiscard]] int unknowns(int terms) const override { return sticks_ ? 2 * terms + 2 : terms + 1; }
   [[nodiscard]] std::unique_ptr<NipSolution> solved(const Float& half_length,
                                                     std::vector<TractionPanel> panels, double nats,
                                                     SheetKernels& kernels) const override;
-  [[nodiscard]] bool grips() const override { return grips_; }
+  [[nodiscard]] bool sticks() const override { return sticks_; }
   [[nodiscard]] bool is_symmetric() const override { return true; }
   [[nodiscard]] const Float& beta() const override { return beta_; }
   /// The epsilon of the power 1/2 - i epsilon with which tractions vanish at the ends: atanh(beta)/pi with friction.
   [[nodiscard]] Float epsilon() const;
 
  private:
-  bool grips_;
+  bool sticks_;
   Float beta_;
 };
 

@@ -39,7 +39,7 @@ struct RollingSheet : NipSheet {
   [[nodiscard]] std::unique_ptr<NipSolution> solved(const Float& half_length,
                                                     std::vector<TractionPanel> panels, double nats,
                                                     SheetKernels& kernels) const override;
-  [[nodiscard]] bool grips() const override { return false; }
+  [[nodiscard]] bool sticks() const override { return false; }
   [[nodiscard]] bool is_symmetric() const override { return false; }
   [[nodiscard]] const Float& beta() const override { return material.theta2_at_once; }
 };
