@@ -1,6 +1,6 @@
 #pragma once
 
-// The headers that nearly every source of data needs, precompiled by the build: the standard library, {fmt}, BadInput.
+// The headers that nearly every source of data needs: the standard library, {fmt}, BadInput.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,6 @@
 #pragma once
 
-// The headers of all tests, doctest and the standard library, which are precompiled, and functions that check refusals
-// of input.
+// The headers of all tests, doctest and the standard library, and functions that check refusals of input.
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// The headers that nearly every source of verify needs, which the build compiles once: the standard library, {fmt}, and
-// the functions that refuse input.
+// The headers that nearly every source of verify needs: the standard library, {fmt}, and the functions that refuse
+// input.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
