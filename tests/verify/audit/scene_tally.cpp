@@ -21,7 +21,7 @@ verify::SceneTally findings(std::uint64_t index, double ratio, double seconds,
 
 }  // namespace
 
-TEST_CASE("findings are summed by kind, with the worst and the slowest scene of each") {
+TEST_CASE("findings are summed by kind, with the worst five and the slowest scene of each") {
   const std::uint64_t kinds = verify::drawn_kinds().size();
   verify::SceneTally refused{.scenes = 1}, uncovered = findings(1 + kinds, 7, 0.1);
   refused.keep({.index = 2 * kinds, .refused = "must not"});
@@ -36,11 +36,11 @@ TEST_CASE("findings are summed by kind, with the worst and the slowest scene of 
   CHECK(tallies[0].numbers == 80);
   CHECK(tallies[0].unchecked == 4);
   CHECK(tallies[0].median_overestimate() == 3);
-  CHECK(tallies[0].worst.index == kinds);
+  CHECK(tallies[0].worst.at(0).index == kinds);
   CHECK(tallies[0].slowest.index == kinds);
   CHECK(tallies[0].kept());
   CHECK(tallies[1].uncovered == 3);
-  CHECK(tallies[1].worst.index == 1 + kinds);
+  CHECK(tallies[1].worst.at(0).index == 1 + kinds);
   CHECK(tallies[1].slowest.index == 1);
   CHECK_FALSE(tallies[1].kept());
   CHECK_FALSE(verify::all_kept(tallies));
@@ -50,7 +50,10 @@ TEST_CASE("tallies of a kind are the same in any order, and as they are told") {
   const std::uint64_t kinds = verify::drawn_kinds().size();
   const std::vector<verify::SceneTally> all{findings(2 * kinds, 0.5, 0.3),
                                             findings(3 * kinds, 0, 0.1, "must not"),
-                                            findings(kinds, 0.5, 0.1, "", "a fault"), findings(0, 0.1, 0.3)};
+                                            findings(kinds, 0.5, 0.1, "", "a fault"),
+                                            findings(0, 0.1, 0.3),
+                                            findings(4 * kinds, 0.2, 0.1),
+                                            findings(5 * kinds, 0.3, 0.1)};
   const auto told = [](const verify::SceneTally& tally) { return verify::stored(tally).line(); };
   verify::SceneTally forward, backward;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -58,7 +61,8 @@ TEST_CASE("tallies of a kind are the same in any order, and as they are told") {
     backward.add(verify::restored<verify::SceneTally>(verify::stored(all[all.size() - 1 - i])));
   }
   CHECK(told(forward) == told(backward));
-  CHECK(forward.worst.index == kinds);
+  const auto indices = verify::mapped(forward.worst, &verify::AuditedScene::index);
+  CHECK(indices == std::vector<std::uint64_t>{kinds, 2 * kinds, 5 * kinds, 4 * kinds, 0});
   CHECK(forward.slowest.index == 0);
   CHECK(forward.failure.failed == "a fault");
   CHECK(verify::scene_tally_json({forward}).text() == verify::scene_tally_json({backward}).text());
@@ -82,7 +86,9 @@ TEST_CASE("a kind is kept unless a scene failed, is not covered, or missed its a
 TEST_CASE("the worst scene of a kind that is not kept is printed, to be solved again") {
   verify::SceneTally uncovered = findings(1, infinite, 0.1);
   uncovered.uncovered = 1;
-  const auto tallies = verify::summed({findings(0, 0.5, 0.1), uncovered, findings(2, 0, 0.1, "", "a fault")});
+  const auto tallies =
+      verify::summed({findings(0, 0.5, 0.1), uncovered, findings(1 + verify::drawn_kinds().size(), 0.25, 0.1),
+                      findings(2, 0, 0.1, "", "a fault")});
   verify::Json members = verify::audits_json({{}, {}, tallies}, {});
   members.append({{"_of_contacts", true}, {"_of_nothing", false}});
   const std::string text = verify::text_of("audit.txt", members);
@@ -96,6 +102,8 @@ TEST_CASE("the worst scene of a kind that is not kept is printed, to be solved a
   for (const auto& row : json) CHECK(answer_schema().misfit(row, "scene_row") == "");
   CHECK(json[1]["largest_error_over_estimate"].is_null());
   CHECK(json[1]["worst"]["scene"] == "scene 1\n");
+  CHECK(json[1]["next_worst"][0]["error_over_estimate"] == 0.25);
+  CHECK(json[1]["next_worst"][0]["scene"] == fmt::format("scene {}\n", 1 + verify::drawn_kinds().size()));
   CHECK(json[0]["passed"] == true);
   CHECK(json[0]["first_failure"].is_null());
   CHECK(json[2]["first_failure"] == nlohmann::json{{"message", "a fault"}, {"scene", "scene 2\n"}});

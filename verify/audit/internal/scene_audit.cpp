@@ -42,9 +42,10 @@ Others others_of(const std::vector<Estimate>& numbers) {
 /// The numbers of one solved scene with the findings of all comparisons.
 class Comparisons {
  public:
-  /// `given` are results that the scene itself gives, whose error is 0.
-  Comparisons(SceneTally& findings, const Solution& solved, std::vector<ResultId> given)
-      : findings_(findings), solved_(solved), given_(std::move(given)) {
+  /// The comparisons note the largest ratio in `scene`, and finish() adds their counts to `findings`. `given` are results
+  /// that the scene itself gives, whose error is 0.
+  Comparisons(SceneTally& findings, AuditedScene& scene, const Solution& solved, std::vector<ResultId> given)
+      : findings_(findings), scene_(scene), solved_(solved), given_(std::move(given)) {
     for (const Solution::Result& result : solved.results) checked_.emplace_back(result.numbers.size());
   }
 
@@ -133,12 +134,12 @@ class Comparisons {
 
   void note_largest(double ratio, const std::string& name, const Solution::Result& result, std::size_t i,
                     const RefNumber& other) {
-    if (ratio <= findings_.worst.largest_ratio) return;
-    findings_.worst.largest_ratio = ratio;
+    if (ratio <= scene_.largest_ratio) return;
+    scene_.largest_ratio = ratio;
     const Estimate& mine = result.numbers[i];
-    findings_.worst.where = fmt::format("{}{} = {:.17g}, estimate {:.2g}; {}: {:.17g}, estimate {:.2g}",
-                                        result.what->name, place_of(result, i), mine.value, mine.error, name,
-                                        static_cast<double>(other.value), other.error);
+    scene_.where = fmt::format("{}{} = {:.17g}, estimate {:.2g}; {}: {:.17g}, estimate {:.2g}",
+                               result.what->name, place_of(result, i), mine.value, mine.error, name,
+                               static_cast<double>(other.value), other.error);
   }
 
   [[nodiscard]] std::string place_of(const Solution::Result& result, std::size_t i) const {
@@ -148,6 +149,7 @@ class Comparisons {
   }
 
   SceneTally& findings_;
+  AuditedScene& scene_;
   const Solution& solved_;
   std::vector<ResultId> given_;
   std::vector<std::vector<Checked>> checked_;
@@ -267,18 +269,19 @@ std::vector<ResultId> given_results(const DrawnScene& drawn) {
   return {ResultId::contact_length, ResultId::leading_length, ResultId::trailing_length};
 }
 
-void audit_drawn(SceneTally& findings, const DrawnScene& drawn, Random& random, const SceneSolvers& solvers) {
+void audit_drawn(SceneTally& findings, AuditedScene& audited, const DrawnScene& drawn, Random& random,
+                 const SceneSolvers& solvers) {
   data::Scene scene;
   Solution solved;
   try {
     scene = drawn.scene();
     solved = solvers.fast(scene);
   } catch (const data::BadInput& error) {
-    findings.worst.refused = error.what();
+    audited.refused = error.what();
     return;
   }
-  findings.worst.seconds = solved.seconds;
-  Comparisons comparisons(findings, solved, given_results(drawn));
+  audited.seconds = solved.seconds;
+  Comparisons comparisons(findings, audited, solved, given_results(drawn));
   if (const auto* problem = std::get_if<data::HalfSpaceProblem>(&scene.system)) {
     compare_with_ref(comparisons, *problem, scene.wanted, solved, random);
   } else {
@@ -295,13 +298,12 @@ void audit_drawn(SceneTally& findings, const DrawnScene& drawn, Random& random, 
 
 SceneTally audit_scene(const std::string& seed, std::uint64_t index, const SceneSolvers& solvers) {
   SceneTally findings{.scenes = 1};
-  AuditedScene& scene = findings.worst;
-  scene.index = index;
+  AuditedScene scene{.index = index};
   Random random(fmt::format("identities of scene {} of {}", index, seed));
   try {
     const DrawnScene drawn = draw_scene(seed, index);
     scene.toml = drawn.toml();
-    audit_drawn(findings, drawn, random, solvers);
+    audit_drawn(findings, scene, drawn, random, solvers);
   } catch (const std::exception& error) {
     scene.failed = error.what();
   }

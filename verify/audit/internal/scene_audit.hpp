@@ -78,7 +78,7 @@ struct AuditedScene {
 };
 
 /// The findings about drawn scenes of one kind. A number is a result, or one number of a profile, list or field. The
-/// sum does not depend on the order; among equally bad scenes the one with the lowest index is kept.
+/// sum does not depend on the order; among equally bad scenes those with the lowest indices are kept.
 struct SceneTally {
   std::size_t scenes = 0, refused = 0, failed = 0;
   std::size_t numbers = 0;          ///< numbers that the scenes want
@@ -89,13 +89,16 @@ struct SceneTally {
   /// Estimate over error, for the numbers whose error is known to a tenth of the estimate.
   ErrorTally overestimates = {};
   AuditedScene refusal = {}, failure = {};  ///< the first scene that is refused or fails, if there is one
-  AuditedScene worst = {};                  ///< the scene with the largest ratio of error to estimate
   AuditedScene slowest = {};
+  /// The five scenes with the largest ratios of error to estimate, or all if there are fewer, the worst one first.
+  std::vector<AuditedScene> worst = {};
 
   void add(const SceneTally& more);
   /// Counts and keeps a scene in a tally that is of this scene alone.
   void keep(const AuditedScene& scene);
-  [[nodiscard]] std::string_view kind() const { return drawn_kinds()[worst.index % drawn_kinds().size()]; }
+  [[nodiscard]] std::string_view kind() const {
+    return drawn_kinds()[worst.at(0).index % drawn_kinds().size()];
+  }
   [[nodiscard]] bool kept() const { return failed == 0 && uncovered == 0 && miss_unreported == 0; }
   [[nodiscard]] std::optional<double> median_overestimate() const;
   /// See stored.hpp; what depends on seconds is in "times".

@@ -8,7 +8,9 @@ constexpr std::array counts{&SceneTally::scenes,        &SceneTally::refused,   
                             &SceneTally::numbers,       &SceneTally::unchecked,      &SceneTally::uncovered,
                             &SceneTally::miss_reported, &SceneTally::miss_unreported};
 
-/// A scene that a tally keeps: the one with the lowest index among those with the largest rank, if this rank is >= 0.
+constexpr std::size_t most_worst = 5;
+
+/// A scene that a tally keeps by itself: the one with the lowest index among those with the largest rank, if this rank is >= 0.
 struct KeptScene {
   AuditedScene SceneTally::*scene;
   double (*rank)(const AuditedScene& scene);
@@ -16,8 +18,19 @@ struct KeptScene {
 constexpr KeptScene kept_scenes[] = {
     {&SceneTally::refusal, [](const AuditedScene& one) { return one.refused.empty() ? -1.0 : 1.0; }},
     {&SceneTally::failure, [](const AuditedScene& one) { return one.failed.empty() ? -1.0 : 1.0; }},
-    {&SceneTally::worst, [](const AuditedScene& one) { return one.largest_ratio; }},
     {&SceneTally::slowest, [](const AuditedScene& one) { return one.seconds; }}};
+
+Json worst_json(const AuditedScene& scene) {
+  return {{"index", scene.index},
+          {"where", Json::unless_empty(scene.where)},
+          {"scene", Json::unless_empty(scene.toml)}};
+}
+
+Json next_worst_json(const AuditedScene& scene) {
+  Json json = worst_json(scene);
+  json.set("error_over_estimate", scene.largest_ratio);
+  return json;
+}
 
 Json failure_json(const SceneTally& tally) {
   if (tally.failed == 0) return {};
@@ -31,6 +44,7 @@ void SceneTally::keep(const AuditedScene& audited) {
   failed = audited.failed.empty() ? 0 : 1;
   for (const auto& [scene, rank] : kept_scenes)
     if (rank(audited) >= 0) this->*scene = audited;
+  worst = {audited};
 }
 
 void SceneTally::add(const SceneTally& more) {
@@ -41,6 +55,10 @@ void SceneTally::add(const SceneTally& more) {
     if (scenes == 0 || rank(other) > rank(kept) || (rank(other) == rank(kept) && other.index < kept.index))
       kept = other;
   }
+  worst.insert(worst.end(), more.worst.begin(), more.worst.end());
+  std::ranges::sort(worst, {},
+                    [](const AuditedScene& one) { return std::pair(-one.largest_ratio, one.index); });
+  if (worst.size() > most_worst) worst.resize(most_worst);
   for (const auto count : counts) this->*count += more.*count;
   overestimates.add(more.overestimates);
 }
@@ -51,7 +69,7 @@ std::optional<double> SceneTally::median_overestimate() const {
 
 std::vector<SceneTally> summed(const std::vector<SceneTally>& tallies) {
   std::vector<SceneTally> sums(drawn_kinds().size());
-  for (const SceneTally& one : tallies) sums[one.worst.index % sums.size()].add(one);
+  for (const SceneTally& one : tallies) sums[one.worst.at(0).index % sums.size()].add(one);
   std::erase_if(sums, [](const SceneTally& one) { return one.scenes == 0; });
   return sums;
 }
@@ -87,13 +105,11 @@ Json scene_tally_json(const std::vector<SceneTally>& tallies) {
         {"miss_reported", tally.miss_reported},
         {"miss_unreported", tally.miss_unreported},
         {"median_overestimate", tally.median_overestimate()},
-        {"largest_error_over_estimate", tally.worst.largest_ratio},
-        {"worst",
-         {{"index", tally.worst.index},
-          {"where", Json::unless_empty(tally.worst.where)},
-          {"scene", Json::unless_empty(tally.worst.toml)}}},
+        {"largest_error_over_estimate", tally.worst.at(0).largest_ratio},
+        {"worst", worst_json(tally.worst.at(0))},
+        {"next_worst", json_list(std::span(tally.worst).subspan(1), next_worst_json)},
         {"passed", tally.kept()},
-        {"_uncovered", tally.worst.largest_ratio > 0},
+        {"_uncovered", tally.worst.at(0).largest_ratio > 0},
         {"times", {{"slowest_seconds", tally.slowest.seconds}, {"slowest_scene", tally.slowest.toml}}}};
   });
 }

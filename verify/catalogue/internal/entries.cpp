@@ -148,7 +148,7 @@ double sampled_number(const std::string& words, Formulas& scope, const std::vect
 }
 
 /// Lines that replace the constants of the quantity's solid by their defaults where default_solid is not 0.
-std::string default_solid_lines(const Quantity& quantity) {
+std::string default_constants_lines(const Quantity& quantity) {
   std::string lines;
   for (const ModelKey& key : quantity.solid ? quantity.solid->models.front().keys : std::vector<ModelKey>())
     for (const std::string& name : key.arguments)
@@ -157,19 +157,20 @@ std::string default_solid_lines(const Quantity& quantity) {
   return lines;
 }
 
-/// The lines for a quantity. @NAME is replaced by lines of [sampling]; ?ARGUMENT begins a line that is left out if the
-/// quantity has no such argument; default_solid_lines follow the line of default_solid.
+/// The lines for a quantity. @default_constants is replaced by default_constants_lines, any other @NAME by lines of
+/// [sampling]; ?ARGUMENT begins a line that is left out if the quantity has no such argument.
 std::string whole_lines(const std::string& text, const Quantity& quantity) {
   std::string lines;
   for (const std::string& line : parts_of(text, "\n")) {
-    if (line.starts_with('@')) {
+    if (line == "@default_constants") {
+      lines += default_constants_lines(quantity);
+    } else if (line.starts_with('@')) {
       const auto more = definitions_table()["sampling"][line.substr(1)].value<std::string>();
       lines += whole_lines(more.value(), quantity);
     } else if (!line.starts_with('?') ||
                has_argument(quantity.arguments, line.substr(1, line.find(' ') - 1))) {
       lines += line.substr(line.starts_with('?') ? 1 : 0) + "\n";
     }
-    if (line.starts_with("default_solid =")) lines += default_solid_lines(quantity);
   }
   return lines;
 }

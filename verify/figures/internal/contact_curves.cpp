@@ -29,8 +29,9 @@ fast::LineLoadNip line_loads_of(const Replay& replay, FigureFormulas& formulas) 
                                        replay.nips[row].values.at("L1"));
   }
   const RowValues& values = replay.nips[row_with(table, formulas.value("load"))].values;
-  const data::Grip grip =
-      formulas.value("grips") != 0 ? data::Grip{data::Grip::Creep::given, values.at("creep")} : data::Grip{};
+  const data::Grip grip = formulas.value("full_friction") != 0
+                              ? data::Grip{data::Grip::Creep::given, values.at("creep")}
+                              : data::Grip{};
   return fast::line_loads_for_length(nip_of_the_tables(table), line_load_table(table.id).elements_per_side,
                                      values.at("L"), grip);
 }

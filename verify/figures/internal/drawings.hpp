@@ -36,7 +36,7 @@ struct FigureContacts {
 /// Evaluates the formulas of a scope. They have these terms besides those of StatementFormulas:
 ///   - [plain NAME x=X]: the thesis's sum of 500 residues for I1, I3, or the part of I6 that depends on alpha;
 ///     [plain Un], [plain Vn]: the sums for its solid under a moving load, keys t, T, t0 in half-thicknesses, memory;
-///   - [nip NAME at=Y]: a result of the thesis's nip with the numbers B, load, memory, grips and accuracy;
+///   - [nip NAME at=Y]: a result of the thesis's nip with the numbers B, load, memory, full_friction and accuracy;
 ///   - [scene ID METHOD NAME at=Y KEY=VALUE ...]: a result of a scene, or with ID "shown" of the scene that is shown,
 ///     by this method, with these values of its keys;
 ///   - [replayed COLUMN]: the replayed value of this column in the row of the entered cell.
@@ -48,7 +48,7 @@ class FigureFormulas {
   void define(const std::string& name, double number) { formulas_.define(name, Propagated::exact(number)); }
   /// The text with the fields that drawings.toml has in braces filled in.
   std::string text(const std::string& stated);
-  /// The contact of the nip that the numbers B, load, memory, grips and accuracy describe.
+  /// The contact of the nip that the numbers B, load, memory, full_friction and accuracy describe.
   const SolvedContact<fast::Estimate>& nip();
   /// The table of the loop over tables; without such a loop all tables of the row.
   [[nodiscard]] std::span<const Replay> tables() const;

@@ -78,12 +78,12 @@ Propagated FigureFormulas::solve(const std::string& words) {
 }
 
 const SolvedContact<fast::Estimate>& FigureFormulas::nip() {
-  const bool remembers = value("memory") != 0, grips = value("grips") != 0;
+  const bool remembers = value("memory") != 0, full_friction = value("full_friction") != 0;
   return contacts_.others.contact(
       {fmt::format("{} nip thickness=B load=load accuracy=accuracy {}", remembers ? "rolling" : "elastic",
-                   remembers ? "memory=memory"
-                   : grips   ? "friction=full"
-                             : "friction=none"),
+                   remembers       ? "memory=memory"
+                   : full_friction ? "friction=full"
+                                   : "friction=none"),
        formulas_});
 }
 
@@ -94,7 +94,7 @@ std::span<const Replay> FigureFormulas::tables() const {
 void FigureFormulas::define_parameters(const data::Table& table) {
   for (const data::TableParameter& one : table.parameters) define(one.name, one.value);
   const auto how = std::ranges::find(line_load_tables(), table.id, &LineLoadTable::id);
-  define("grips", how != line_load_tables().end() && how->friction == data::Friction::full ? 1 : 0);
+  define("full_friction", how != line_load_tables().end() && how->friction == data::Friction::full ? 1 : 0);
 }
 
 void FigureFormulas::enter(const Replay& replay, const ReplayedCell& cell) {
@@ -109,7 +109,7 @@ std::string FigureFormulas::text(const std::string& stated) {
   return with_fields(stated, [&](const std::string& field, const std::string& format) {
     if (!format.empty()) return fmt::format(fmt::runtime("{" + format + "}"), value(field));
     if (field == "label") return text(scope.row->label);
-    if (field == "slip") return std::string(value("grips") != 0 ? "no slip" : "complete slip");
+    if (field == "slip") return std::string(value("full_friction") != 0 ? "no slip" : "complete slip");
     return scope.shown->text(field);
   });
 }

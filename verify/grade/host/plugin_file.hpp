@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstring>
 #include <span>
 #include <stdexcept>
@@ -61,15 +62,19 @@ inline void refuse(const nipref_kernel& kernel, const std::string& why) {
   throw std::runtime_error("has a kernel " + text_of(kernel.name) + " " + why);
 }
 
+/// The size of the structure of the first header of this ABI, which ended with `close`.
+inline constexpr std::size_t least_size = offsetof(nipref_kernel, close) + sizeof(nipref_kernel::close);
+
 inline Kernel checked(const nipref_kernel& given) {
   if (given.abi != NIPREF_KERNEL_ABI)
     throw std::runtime_error("has a kernel of ABI number " + std::to_string(given.abi) + ": must be " +
                              std::to_string(NIPREF_KERNEL_ABI));
-  if (given.size < sizeof(nipref_kernel))
+  if (given.size < least_size)
     throw std::runtime_error("has a kernel of size " + std::to_string(given.size) + ": must be " +
-                             std::to_string(sizeof(nipref_kernel)) + " at least");
+                             std::to_string(least_size) + " at least");
   Kernel kernel;
-  std::memcpy(&kernel.entry, &given, sizeof kernel.entry);
+  // Members that an older header does not have remain 0.
+  std::memcpy(&kernel.entry, &given, std::min<std::size_t>(given.size, sizeof kernel.entry));
   if (text_of(given.name).empty()) refuse(given, "without a name");
   if (text_of(given.quantity).empty()) refuse(given, "without a quantity");
   if (std::max(text_of(given.name).size(), text_of(given.quantity).size()) >= sizeof(protocol::Text))

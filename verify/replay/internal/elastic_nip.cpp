@@ -176,10 +176,10 @@ data::ElasticNip nip_of_the_tables(const data::Table& table) {
 
 Replay replay_line_loads(data::Table table, data::Friction friction, int elements_per_side) {
   const data::ElasticNip nip = nip_of_the_tables(table);
-  const bool grips = friction == data::Friction::full;
+  const bool sticks = friction == data::Friction::full;
   Replay replay{std::move(table),
                 fmt::format("line loads {}, {} elements a side, E = {:.6g} psi, poisson = {:g}",
-                            grips ? "with full friction (5.6)-(5.10)" : "without friction (5.11)-(5.16)",
+                            sticks ? "with full friction (5.6)-(5.10)" : "without friction (5.11)-(5.16)",
                             elements_per_side, nip.material.young, nip.material.poisson),
                 {}};
   const auto append = [&](Replay& rows, CreepReading reading) {
@@ -188,7 +188,7 @@ Replay replay_line_loads(data::Table table, data::Friction friction, int element
     });
   };
   append(replay, CreepReading::rounded);
-  if (grips) {
+  if (sticks) {
     Replay other{replay.table, replay.method, {}};
     append(other, CreepReading::away_from_zero);
     explain(replay.cells, other.cells);
