@@ -268,13 +268,12 @@ std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
   std::vector<Estimate> all;
   for (std::size_t k = 0; k <= end; ++k) {
     all.push_back(nip_->of_length([&](const ZoneContact& one) { return boundary(one, k); }));
+    if (k == 0 || k == end) continue;
     double& error = all.back().error;
-    if (is_smooth(contact, k))
-      error += nip_->units.length *
-               (nip_->of_boundaries * longer_beside(contact, k) + std::max(rounded(k - 1), rounded(k)));
+    error += nip_->units.length *
+             (nip_->of_boundaries * longer_beside(contact, k) + std::max(rounded(k - 1), rounded(k)));
     // Zones that are left out beside a boundary are at most as long as the shorter zone beside it.
-    if (k > 0 && k < end && (lacks_zones[k - 1] || lacks_zones[k]))
-      error += nip_->units.length * shorter_beside(contact, k);
+    if (lacks_zones[k - 1] || lacks_zones[k]) error += nip_->units.length * shorter_beside(contact, k);
   }
   return all;
 }

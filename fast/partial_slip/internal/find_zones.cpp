@@ -12,8 +12,9 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The initial length of a new zone over the length from which it is cut.
 constexpr double usual_part = 0.2;
-/// Zones are first sought in contacts of so many nats. With fewer, zones next to much shorter ones are not found.
-constexpr double rough = 20;
+/// Zones are first sought in contacts of so many nats. With fewer, zones next to much shorter ones are not found, and with
+/// little friction the errors of pressures, which are like e^(-0.9 nats), are larger than shears.
+double rough_nats(double friction) { return std::max(20.0, -1.4 * std::log(friction)); }
 /// A contact with a larger mean_excess() lacks more than short zones.
 constexpr double too_much_excess = 1e-3;
 
@@ -168,7 +169,7 @@ std::optional<ZoneContact> best_with_missing_zones(const PartialSlipTask& task, 
   double least_excess = infinity;
   for (const bool in_two_stages : {true, false}) {
     // Few unknowns do not resolve zones that only a better accuracy shows.
-    if (in_two_stages && contact.nats() > rough) continue;
+    if (in_two_stages && contact.nats() > rough_nats(task.friction)) continue;
     Zones zones;
     for (const NewZoneSize& size : sizes) {
       if (size.in_wrong_part && !turns_at_end(contact.zones(), parts)) continue;
@@ -209,8 +210,9 @@ std::optional<ZoneContact> corrected(const PartialSlipTask& task, std::optional<
   return contact;
 }
 
-/// The contact of `rough` nats, in which short zones may be missing.
+/// The contact of rough_nats(), in which short zones may be missing.
 std::optional<ZoneContact> found_roughly(const PartialSlipTask& task) {
+  const double rough = rough_nats(task.friction);
   std::optional<ZoneContact> best;
   double least_excess = infinity;
   const auto is_found_by = [&](std::optional<ZoneContact> first, const Zones& zones) {
@@ -223,16 +225,21 @@ std::optional<ZoneContact> found_roughly(const PartialSlipTask& task) {
     // The mean excess of a contact with the right zones is at most its accuracy.
     return least_excess < std::exp(-rough);
   };
+  // Zones with which Newton's method does not converge. Some of them may have to be left out.
+  std::vector<Zones> not_solved;
   const auto is_found_from = [&](const Zones& zones) {
     const auto first = solved_in_two_stages(task, zones, rough);
     if (first && is_found_by(first, zones)) return true;
     auto again = ZoneContact::solved(task, zones, rough);
-    return !(first && again && again->is_like(*first)) && is_found_by(std::move(again), zones);
+    if (!first && !again) not_solved.push_back(zones);
+    return again && !(first && again->is_like(*first)) && is_found_by(std::move(again), zones);
   };
   for (const int elements : {60, 120, 240, 480}) {
     const std::optional<Zones> zones = plain_zones(task, elements);
     if (zones && is_found_from(*zones)) return best;
   }
+  for (const Zones& zones : not_solved)
+    if (is_found_by(std::nullopt, zones)) return best;
   // Elements do not show zones next to the trailing end that are much shorter than they are.
   const Zones sticking{{length_guess(task), 0}};
   if (sticks_everywhere(task, sticking) && is_found_from(sticking)) return best;
@@ -253,6 +260,7 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneCon
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) {
   auto best = found_roughly(task);
   if (!best) return std::nullopt;
+  const double rough = best->nats();
   // A better accuracy shows shorter zones. They are found more easily if only few unknowns are added at a time.
   constexpr double stride = 5;
   for (double finer = rough + stride;

@@ -9,12 +9,12 @@
 namespace nipref::fast {
 namespace {
 
-/// The largest difference of smooth boundaries, over the longer zone beside.
+/// The largest difference of boundaries, over the longer zone beside.
 double boundary_difference(const ZoneContact& coarser, const ZoneContact& contact) {
   double largest = 0;
   for (std::size_t k = 1; k < contact.zones().size(); ++k) {
     const double difference = std::fabs(boundary(contact, k) - boundary(coarser, k));
-    if (is_smooth(contact, k)) largest = std::max(largest, difference / longer_beside(contact, k));
+    largest = std::max(largest, difference / longer_beside(contact, k));
   }
   return largest;
 }
@@ -90,10 +90,6 @@ double boundary(const ZoneContact& contact, std::size_t k) {
   return contact.leading_length() - e;
 }
 
-bool is_smooth(const ZoneContact& contact, std::size_t k) {
-  return k > 0 && k < contact.zones().size() && contact.zones()[k - 1].sign != 0;
-}
-
 double longer_beside(const ZoneContact& contact, std::size_t k) {
   return std::max(contact.zones()[k - 1].length, contact.zones()[k].length);
 }
@@ -112,28 +108,23 @@ std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneConta
     return ZoneContact::solved(task, second, nats_of_it);
   };
   auto first = solved(nats);
-  auto other = solved(ZoneMesh::with_a_node_less(nats));
-  if (!first || !other) return std::nullopt;
+  if (!first) return std::nullopt;
   const double mu = task.friction;
-  double of_whole = 0, of_second_order = 0, of_boundaries = 0;
-  std::vector<ZoneContact::Traction> of_tractions(second.samples().size(), {0, 0});
-  for (const ZoneContact* const coarser : {&*first, &*other}) {
-    of_whole = std::max(of_whole, relative_difference(*coarser, second, mu));
-    of_second_order = std::max(of_second_order, second_order(*coarser, second));
-    of_boundaries = std::max(of_boundaries, boundary_difference(*coarser, second));
-    for (std::size_t i = 0; i < of_tractions.size(); ++i) {
-      const ZoneContact::Sample& sample = second.samples()[i];
-      const ZoneContact::Traction before = coarser->traction(coarser->corresponding_place(second, sample.e));
-      of_tractions[i] = {std::max(of_tractions[i].pressure, std::fabs(sample.pressure - before.pressure)),
-                         std::max(of_tractions[i].shear, std::fabs(sample.shear - before.shear))};
-    }
-  }
-  // By chance both may agree with the second on a boundary. A rougher contact shows the error of the first, too,
-  // because the errors of boundaries fall like e^(-2 smooth_reach).
+  double of_whole = relative_difference(*first, second, mu),
+         of_boundaries = boundary_difference(*first, second);
+  // By chance the first may agree with the second. A rougher contact shows the error of the first, too, because errors
+  // fall like e^(-0.8 nats) or faster, see ZoneMesh::end().
   constexpr double rougher_by = 3;
   if (const auto rougher = solved(nats - rougher_by)) {
-    const double fall = std::exp(-2 * ZoneMesh::smooth_reach(rougher_by));
+    const double fall = std::exp(-0.8 * rougher_by);
+    of_whole = std::max(of_whole, fall * relative_difference(*rougher, second, mu));
     of_boundaries = std::max(of_boundaries, fall * boundary_difference(*rougher, second));
+  }
+  std::vector<ZoneContact::Traction> of_tractions;
+  for (const ZoneContact::Sample& sample : second.samples()) {
+    const ZoneContact::Traction before = first->traction(first->corresponding_place(second, sample.e));
+    of_tractions.push_back(
+        {std::fabs(sample.pressure - before.pressure), std::fabs(sample.shear - before.shear)});
   }
   const std::vector<double> excess = excesses(second, mu);
   const std::vector<bool> is_left_out = left_out(second, excess, nats);
@@ -144,8 +135,8 @@ std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneConta
     lacks_zones[static_cast<std::size_t>(second.samples()[i].zone)] = true;
     part_left_out += second.samples()[i].weight / second.length();
   }
-  const double relative =
-      mean_excess(second, mu) + 2 * std::max(1.0, mu) * part_left_out + of_whole + of_second_order;
+  const double relative = mean_excess(second, mu) + 2 * std::max(1.0, mu) * part_left_out + of_whole +
+                          second_order(*first, second);
   std::vector<ZoneContact::Traction> wrong = wrong_by(second, excess, is_left_out, mu);
   return Solutions{.first = *std::move(first),
                    .second = std::move(second),

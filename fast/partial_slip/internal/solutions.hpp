@@ -7,28 +7,25 @@
 
 namespace nipref::fast {
 
-/// The contact by two discretisations, of which the second is the result, and its differences from coarser ones.
+/// The contact by two discretisations, of which the second is the result, and their differences.
 struct Solutions {
   ZoneContact first, second;
   double relative;       ///< relative error of the whole, with violated conditions and missing zones
-  double of_boundaries;  ///< error of boundaries where slip turns into stick, over the longer zone beside
+  double of_boundaries;  ///< error of boundaries of zones, over the longer zone beside
   /// At each sample: the differences of the tractions, and their possible errors by zones that are left out.
   std::vector<ZoneContact::Traction> of_tractions, wrong_tractions;
   std::vector<bool> lacks_zones;  ///< for each zone, whether others are left out in it
   [[nodiscard]] bool lack_zones() const { return std::ranges::find(lacks_zones, true) != lacks_zones.end(); }
 };
 
-/// Solves the first discretisation, of `nats`, with the zones of the second, and compares. The error of a boundary
-/// where slip turns into stick alternates in sign with the number of nodes beside it. It shows in the difference from
-/// the first solution, from one with a node less there, or from a rougher one. Nothing if one of the first two does not
-/// exist. `lesser`, if any: solutions of a lesser accuracy, whose contacts are used again if they are the same.
+/// Solves the first discretisation, of `nats`, and a rougher one with the zones of the second, and compares. Nothing
+/// if the first does not exist. `lesser`, if any: solutions of a lesser accuracy, whose contacts are used again if
+/// they are the same.
 std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneContact second, double nats,
                                           const Solutions* lesser = nullptr);
 
 /// Y of the boundary before the zone number k.
 double boundary(const ZoneContact& contact, std::size_t k);
-/// Whether slip turns into stick at this boundary. See ZoneMesh::smooth_reach.
-bool is_smooth(const ZoneContact& contact, std::size_t k);
 /// The length of the longer and of the shorter zone beside this boundary.
 double longer_beside(const ZoneContact& contact, std::size_t k);
 double shorter_beside(const ZoneContact& contact, std::size_t k);

@@ -192,16 +192,23 @@ ZoneContact::Displacement ZoneContact::displacement(double e) const {
 }
 
 double ZoneContact::dissipation() const {
-  // The first and the last sample of a panel also stand for those that would follow: sum_k e^(-k h).
-  const double rest = 1 / (1 - std::exp(-mesh().step()));
-  const auto goes_on = [&](std::size_t i, std::size_t next) {
-    return next < samples_.size() && samples_[next].point.panel == samples_[i].point.panel;
+  const auto term = [&](std::size_t i) {
+    const Sample& sample = samples_[i];
+    return sample.sign == 0 ? 0 : -sample.weight * sample.shear * sample.slip;
+  };
+  const auto ends_at = [&](std::size_t i, std::size_t next) {
+    return next >= samples_.size() || samples_[next].point.panel != samples_[i].point.panel;
+  };
+  // The terms that would follow the last one of a panel are a geometric series, as those of a power of t are.
+  const auto beyond = [&](std::size_t last, std::size_t before) {
+    const double ratio = term(last) / term(before);
+    return ratio > 0 && ratio < 1 ? term(last) * ratio / (1 - ratio) : 0;
   };
   double sum = 0;
   for (std::size_t i = 0; i < samples_.size(); ++i) {
-    const Sample& sample = samples_[i];
-    const double factor = goes_on(i, i - 1) && goes_on(i, i + 1) ? 1 : rest;
-    if (sample.sign != 0) sum -= factor * sample.weight * sample.shear * sample.slip;
+    sum += term(i);
+    if (ends_at(i, i - 1)) sum += beyond(i, i + 1);
+    if (ends_at(i, i + 1)) sum += beyond(i, i - 1);
   }
   return sum;
 }

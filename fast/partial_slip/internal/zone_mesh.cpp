@@ -13,6 +13,11 @@ using std::numbers::pi;
 /// from the middle of a panel. For a length of 4 this is pi/2, with which the rule of this step has the error e^-nats.
 constexpr double longest_panel = 4;
 
+/// a of the powers of t, times the sign of the slip.
+double shift_of_power(int sign, const PartialSlipTask& task) {
+  return std::atan(task.beta * task.friction * sign) / pi;
+}
+
 /// A step from 0 to 1, flat at both ends; it begins like x^2.
 double smooth_step(double x) { return x * x * (3 - 2 * x); }
 
@@ -21,7 +26,7 @@ double smooth_step(double x) { return x * x * (3 - 2 * x); }
 ZoneMesh::ZoneMesh(const Zones& zones, const PartialSlipTask& task, double nats)
     : nats_(nats), step_(pi * pi / nats), friction_(task.friction) {
   cut(zones);
-  set_ends(task, nats);
+  set_ends(task);
   number_unknowns();
   measure_gaps();
   at_nodes_ = rows(nodes_.size(), [this](std::size_t i) { return nodes_[i]; });
@@ -56,48 +61,77 @@ void ZoneMesh::stretch_to(const Zones& zones) {
   measure_gaps();
 }
 
-void ZoneMesh::set_ends(const PartialSlipTask& task, double nats) {
+void ZoneMesh::set_ends(const PartialSlipTask& task) {
   for (std::size_t k = 0; k < panels_.size(); ++k) {
     Panel& panel = panels_[k];
-    panel.left = end(k, false, task, nats);
-    panel.right = end(k, true, task, nats);
+    panel.left = end(k, false, task);
+    panel.right = end(k, true, task);
     const auto nodes_to = [&](double s) { return static_cast<int>(std::ceil(s / step_)); };
     panel.first_node = -nodes_to(panel.left.reach);
     panel.last_node = nodes_to(panel.right.reach);
     panel.first_of_all = -nodes_to(panel.left.depth);
     panel.last_of_all = nodes_to(panel.right.depth);
+    panel.first_checked = -nodes_to(panel.left.checked) - 1;
+    panel.last_checked = nodes_to(panel.right.checked) + 1;
   }
 }
 
-ZoneMesh::PanelEnd ZoneMesh::end(std::size_t panel, bool is_right, const PartialSlipTask& task,
-                                 double nats) const {
-  const auto shift = [&](int sign) { return std::atan(task.beta * task.friction * sign) / pi; };
-  const auto tail = [&](double first, double second, double third) {
-    return Tail({first, second, third}, step_);
-  };
+ZoneMesh::PanelEnd ZoneMesh::end(std::size_t panel, bool is_right, const PartialSlipTask& task) const {
+  const bool is_of_contact = is_right ? panel + 1 == panels_.size() : panel == 0;
   const Panel& own = panels_[panel];
-  const bool at_end = is_right ? panel + 1 == panels_.size() : panel == 0;
-  // The powers leave out t^2 or less, e^(-1.2 nats). With p ~ t^(1/2) forces beyond the last node are e^(-1.65 nats).
-  PanelEnd result{tail(1, 2, 3), tail(1, 2, 3), 0.6 * nats, 1.1 * nats, -1, -1, false};
-  if (at_end) {
-    const double power = 0.5 + (is_right ? 1 : -1) * shift(own.sign);
-    result.pressure = result.shear = tail(power, power + 1, power + 2);
-    // Nodes up to here show a missing zone of slip at the end, which is left out if it is shorter than the accuracy.
-    if (own.sign == 0 && task.beta > 0) result.reach = nats;
-    return result;
+  return is_of_contact ? end_of_contact(own, is_right, task)
+                       : boundary(own, panels_[is_right ? panel + 1 : panel - 1], is_right, task);
+}
+
+ZoneMesh::TractionEnd ZoneMesh::traction_end(double first, double second, double third, double reach) const {
+  // An envelope like t^(1/2) in the last node makes the error of the interpolation there that of a boundary which is
+  // wrong by e^-nats. A smaller envelope would carry larger errors of the tractions there to the other nodes.
+  const double least = std::min({first, second, third}),
+               of_envelope = std::min(least, 0.2 * smooth_nats() / reach);
+  return {least, of_envelope, Tail(Eigen::Array3d(first, second, third) - of_envelope, step_)};
+}
+
+ZoneMesh::PanelEnd ZoneMesh::end_of_contact(const Panel& own, bool is_right,
+                                            const PartialSlipTask& task) const {
+  PanelEnd end;
+  const double power = 0.5 + (is_right ? 1 : -1) * shift_of_power(own.sign, task);
+  // The power that is left out is power + 3, but the dissipation sums its terms as far as the nodes reach. Nodes up to
+  // nats show a missing zone of slip at the end, which is left out if it is shorter than the accuracy.
+  end.reach = own.sign == 0 && task.beta > 0 ? nats_ : 0.4 * nats_;
+  end.pressure = end.shear = traction_end(power, power + 1, power + 2, end.reach);
+  end.depth = (nats_ + 1.5 * end.reach) / (1 + power);
+  // Where slip turns around nearer to the end than this, zones that are left out change the creep by less than e^-nats.
+  end.checked = std::max(nats_, 1.25 * end.reach);
+  return end;
+}
+
+ZoneMesh::PanelEnd ZoneMesh::boundary(const Panel& own, const Panel& other, bool is_right,
+                                      const PartialSlipTask& task) const {
+  PanelEnd end;
+  // Beyond `reach` the powers of t leave out one that is e^-nats there. The place of a boundary where slip turns into
+  // stick is determined by the absence of t^(1/2 + a): its error is the ratio of the power left out to this one, t^2 or
+  // e^(-0.8 nats).
+  if (other.zone == own.zone) {
+    end.reach = nats_ / 4;
+    end.pressure = end.shear = traction_end(1, 2, 3, end.reach);
+  } else {
+    const bool sticks_then_slips = (own.sign == 0) == is_right;
+    const double a = shift_of_power(own.sign + other.sign, task),
+                 power = sticks_then_slips ? 0.5 - a : 1.5 + a;
+    end.reach = sticks_then_slips ? nats_ / 2 : smooth_nats() / (power + 1);
+    end.shear = traction_end(power, power + 1, 2, end.reach);
+    end.pressure = traction_end(1, power, sticks_then_slips ? power + 1 : 2, end.reach);
+    end.has_extra_equation = own.sign == 0 && !sticks_then_slips;
   }
-  const Panel& other = panels_[is_right ? panel + 1 : panel - 1];
-  const double next_to_shorter = std::max(0.0, std::log(own.length / other.length));
-  const bool sticks_then_slips = other.zone != own.zone && (own.sign == 0) == is_right;
-  if (!sticks_then_slips) result.reach = smooth_reach(nats);
-  result.reach += next_to_shorter;
-  result.depth += next_to_shorter;
-  if (other.zone == own.zone) return result;
-  const double a = shift(own.sign + other.sign), power = sticks_then_slips ? 0.5 - a : 1.5 + a;
-  result.shear = tail(power, power + 1, 2);
-  result.pressure = sticks_then_slips ? tail(power, 1, power + 1) : tail(1, power, 2);
-  result.has_extra_equation = own.sign == 0 && !sticks_then_slips;
-  return result;
+  // Forces beyond `depth`, like t^(1 + least power), act on the last unknown from the distance e^-reach. The last node
+  // stands for those of the boundary's value with an error like t^2. Both may shift a boundary by e^-nats, as above.
+  end.depth =
+      std::max((nats_ + 1.5 * end.reach) / (1 + end.pressure.least_power), nats_ / 2 + 1.25 * end.reach);
+  end.next_length = std::min(1.0, other.length / own.length);
+  end.reach -= std::log(end.next_length);
+  end.depth -= std::log(end.next_length);
+  end.checked = 1.25 * end.reach;
+  return end;
 }
 
 void ZoneMesh::number_unknowns() {
@@ -119,7 +153,7 @@ void ZoneMesh::number_unknowns() {
 void ZoneMesh::add_points(const Panel& panel, int index) {
   for (int j = panel.first_of_all; j <= panel.last_of_all; ++j) nodes_.push_back({index, j * step_});
   const int first = panel.first_node - (panel.left.has_extra_equation ? 1 : 0);
-  for (int j = panel.first_node * 5 / 4 - 1; j <= panel.last_node * 5 / 4 + 1; ++j) {
+  for (int j = panel.first_checked; j <= panel.last_checked; ++j) {
     const bool is_before_end = j <= panel.last_node + 1;
     midpoints_.push_back({{index, (j - 0.5) * step_},
                           j >= panel.first_node && is_before_end,
@@ -143,10 +177,16 @@ ZoneMesh::Rows ZoneMesh::rows(std::size_t count, const auto& point) const {
 
 Eigen::VectorXd ZoneMesh::unknowns_of(const std::function<Traction(const Point&)>& traction) const {
   Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(unknowns_);
-  // Sets an unknown to what the unknowns set before it leave of a traction.
+  // Sets an unknown such that it adds what the unknowns set before it leave of a traction.
   const auto set = [&](int unknown, const Point& point, double whole, double Share::*part) {
-    for (const Share& share : shares(point)) whole -= share.*part * unknowns(share.unknown);
-    unknowns(unknown) = whole;
+    double of_one = 0;
+    for (const Share& share : shares(point)) {
+      if (share.unknown == unknown)
+        of_one += share.*part;
+      else
+        whole -= share.*part * unknowns(share.unknown);
+    }
+    unknowns(unknown) = whole / of_one;
   };
   const auto set_both = [&](const Point& point, int pressure, int shear) {
     const Traction whole = traction(point);
@@ -239,24 +279,43 @@ double ZoneMesh::hat_factor(const Panel& panel, const Point& point) const {
   return is_last ? 1 / (1 - std::exp(-step_)) : 1;
 }
 
-void ZoneMesh::add_hats(const Panel& panel, const Point& point, Shares& shares) const {
-  const double factor = hat_factor(panel, point);
-  for (const auto& [end, shape] :
-       {std::pair(&panel.left, point.right), std::pair(&panel.right, point.left)}) {
-    if (end->value >= 0) shares.push_back({end->value, factor * shape, 0});
-    if (end->shear_value >= 0) shares.push_back({end->shear_value, 0, factor * smooth_step(shape)});
-  }
+ZoneMesh::Traction ZoneMesh::envelope(const Panel& panel, const Point& point) {
+  const auto fall = [](const PanelEnd& end, double t) {
+    return end.is_of_contact() ? t : t / (t + end.next_length);
+  };
+  const double left = fall(panel.left, point.left), right = fall(panel.right, point.right);
+  const auto of_powers = [&](TractionEnd PanelEnd::*part) {
+    return std::pow(left, (panel.left.*part).envelope_power) *
+           std::pow(right, (panel.right.*part).envelope_power);
+  };
+  return {of_powers(&PanelEnd::pressure), of_powers(&PanelEnd::shear)};
 }
 
-void ZoneMesh::add_nodes(const Panel& panel, double steps, Shares& shares) const {
+void ZoneMesh::add_hats(const Panel& panel, const Point& point, Shares& shares) const {
+  const double factor = hat_factor(panel, point);
+  const auto add = [&](const PanelEnd& end, const PanelEnd& other, double from_other) {
+    if (end.value >= 0)
+      shares.push_back({end.value,
+                        factor * std::pow(from_other, other.is_of_contact() ? other.pressure.least_power : 1),
+                        0});
+    if (end.shear_value >= 0)
+      shares.push_back({end.shear_value, 0, factor * std::pow(from_other, other.shear.least_power)});
+  };
+  add(panel.left, panel.right, point.right);
+  add(panel.right, panel.left, point.left);
+}
+
+void ZoneMesh::add_nodes(const Panel& panel, const Point& point, Shares& shares) const {
+  const double steps = point.s / step_;
+  const Traction size = envelope(panel, point);
   const auto add = [&](int node, double pressure, double shear) {
     const int number = node - panel.first_node;
-    shares.push_back({panel.pressure + number, pressure, 0});
-    if (panel.sign == 0) shares.push_back({panel.shear + number, 0, shear});
+    shares.push_back({panel.pressure + number, size.pressure * pressure, 0});
+    if (panel.sign == 0) shares.push_back({panel.shear + number, 0, size.shear * shear});
   };
   const auto add_tail = [&](const PanelEnd& end, int last, int inwards, const auto& parts_of) {
-    const Eigen::Vector3d pressure = parts_of(end.pressure), shear = parts_of(end.shear);
-    for (int k = 0; k < 3; ++k) add(last + k * inwards * end.pressure.spacing(), pressure(k), shear(k));
+    const Eigen::Vector3d pressure = parts_of(end.pressure.tail), shear = parts_of(end.shear.tail);
+    for (int k = 0; k < 3; ++k) add(last + k * inwards * end.pressure.tail.spacing(), pressure(k), shear(k));
   };
   const double before = panel.first_node - steps, beyond = steps - panel.last_node;
   if (before > 0)
@@ -286,7 +345,7 @@ ZoneMesh::Shares ZoneMesh::shares(const Point& point) const {
   const Panel& panel = panels_[at(point.panel)];
   Shares shares;
   add_hats(panel, point, shares);
-  add_nodes(panel, point.s / step_, shares);
+  if (std::isfinite(point.s)) add_nodes(panel, point, shares);  // at an end itself tractions are its values
   add_shear_of_step(panel, point, shares);
   return shares;
 }

@@ -71,6 +71,24 @@ TEST_CASE("dissimilar rollers: what the program CONTACT prints of its example be
   }
 }
 
+TEST_CASE("with more unknowns the contact converges, and so do the boundaries of its zones") {
+  const fast::PartialSlipTask task{
+      .beta = 0.306, .friction = 0.0661, .load = fast::load_guess(1), .traction = 0.0};
+  const auto truth = fast::find_zones(task, 28);
+  REQUIRE(truth);
+  REQUIRE(truth->zones().size() == 5);
+  for (const double nats : {17.0, 20.0, 23.0}) {
+    CAPTURE(nats);
+    const auto contact = fast::ZoneContact::solved(task, *truth, nats);
+    REQUIRE(contact);
+    CHECK(contact->length() == approx(truth->length(), std::exp(-1.2 * nats)));
+    for (std::size_t k = 1; k < truth->zones().size(); ++k) {
+      const double shift = fast::boundary(*contact, k) - fast::boundary(*truth, k);
+      CHECK(std::fabs(shift) < std::exp(-0.8 * nats) * fast::longer_beside(*truth, k));
+    }
+  }
+}
+
 TEST_CASE("as friction goes to 0 slip turns around where Bentall and Johnson have it") {
   // asin(c/a) + (c/a) sqrt(1 - (c/a)^2) = pi/4, creep beta (a/R) sqrt(1 - (c/a)^2).
   const double c = 0.40397275, poisson = 0.4, beta = (1 - 2 * poisson) / (2 * (1 - poisson));
