@@ -153,7 +153,7 @@ Zones with_missing_zones(Zones zones, const std::vector<WrongPart>& parts, const
 /// The contact, solved with few unknowns first. They make Newton's steps fast, but may mislead the method.
 std::optional<ZoneContact> solved_in_two_stages(const PartialSlipTask& task, const Zones& zones,
                                                 double nats) {
-  constexpr double few = 10;
+  constexpr double few = 11;
   const auto near = ZoneContact::solved(task, zones, few);
   return near ? ZoneContact::solved(task, *near, nats) : std::nullopt;
 }
