@@ -113,7 +113,7 @@ std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneConta
   double of_whole = relative_difference(*first, second, mu),
          of_boundaries = boundary_difference(*first, second);
   // By chance the first may agree with the second. A rougher contact shows the error of the first, too, because errors
-  // fall like e^(-0.8 nats) or faster, see ZoneMesh::end().
+  // fall like e^(-0.8 nats) or faster, see ZoneMesh::boundary().
   constexpr double rougher_by = 3;
   if (const auto rougher = solved(nats - rougher_by)) {
     const double fall = std::exp(-0.8 * rougher_by);

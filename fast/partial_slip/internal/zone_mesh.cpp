@@ -84,8 +84,9 @@ ZoneMesh::PanelEnd ZoneMesh::end(std::size_t panel, bool is_right, const Partial
 }
 
 ZoneMesh::TractionEnd ZoneMesh::traction_end(double first, double second, double third, double reach) const {
-  // An envelope like t^(1/2) in the last node makes the error of the interpolation there that of a boundary which is
-  // wrong by e^-nats. A smaller envelope would carry larger errors of the tractions there to the other nodes.
+  // In the last node the envelope is e^(-0.2 nats) or more. Next to a boundary where slip turns into stick this is
+  // t^(1/2), and the error of the interpolation is that of a boundary which is wrong by e^-nats. A smaller envelope would
+  // carry errors of the tractions there to the other nodes.
   const double least = std::min({first, second, third}),
                of_envelope = std::min(least, 0.2 * smooth_nats() / reach);
   return {least, of_envelope, Tail(Eigen::Array3d(first, second, third) - of_envelope, step_)};
@@ -294,10 +295,7 @@ ZoneMesh::Traction ZoneMesh::envelope(const Panel& panel, const Point& point) {
 void ZoneMesh::add_hats(const Panel& panel, const Point& point, Shares& shares) const {
   const double factor = hat_factor(panel, point);
   const auto add = [&](const PanelEnd& end, const PanelEnd& other, double from_other) {
-    if (end.value >= 0)
-      shares.push_back({end.value,
-                        factor * std::pow(from_other, other.is_of_contact() ? other.pressure.least_power : 1),
-                        0});
+    if (end.value >= 0) shares.push_back({end.value, factor * std::pow(from_other, other.hat_power()), 0});
     if (end.shear_value >= 0)
       shares.push_back({end.shear_value, 0, factor * std::pow(from_other, other.shear.least_power)});
   };

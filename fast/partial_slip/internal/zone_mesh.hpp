@@ -116,6 +116,8 @@ class ZoneMesh {
     bool has_extra_equation = false;   ///< of the boundary where slip turns into stick
 
     [[nodiscard]] bool is_of_contact() const { return next_length == 0; }
+    /// The power of t with which the hat of the pressure at the panel's other end falls to 0 here.
+    [[nodiscard]] double hat_power() const { return is_of_contact() ? pressure.least_power : 1; }
   };
   struct Panel {
     int zone, sign, number_in_zone, panels_of_zone;

@@ -10,7 +10,8 @@ constexpr std::array counts{&SceneTally::scenes,        &SceneTally::refused,   
 
 constexpr std::size_t most_worst = 5;
 
-/// A scene that a tally keeps by itself: the one with the lowest index among those with the largest rank, if this rank is >= 0.
+/// A scene that a tally keeps by itself: the one with the lowest index among those with the largest rank, if this rank
+/// is >= 0.
 struct KeptScene {
   AuditedScene SceneTally::*scene;
   double (*rank)(const AuditedScene& scene);
