@@ -26,8 +26,6 @@ using Peak = ZoneContact::Peak;
 constexpr double longest_contact = 10;  // L/B
 /// ln of the first discretisation's error over the second's.
 constexpr double nats_apart = 3;
-/// Coarser meshes may not resolve zones next to others that are much shorter.
-constexpr double least_nats = 17;
 /// Rounding dominates from here on.
 constexpr double most_nats = 36;
 
@@ -322,7 +320,9 @@ bool PartialSlipNip::refine() {
   const double nats = nip_->second.nats();
   if (nats > most_nats) return false;
   auto second = find_zones(nip_->task, nip_->second, nats + nats_apart);
-  auto solutions = second ? with_differences(nip_->task, *std::move(second), nats, nip_.get()) : std::nullopt;
+  auto solutions = second
+                       ? with_differences(nip_->task, *std::move(second), nats, {nip_->first, nip_->second})
+                       : std::nullopt;
   if (!solutions) return false;
   *nip_ = {*std::move(solutions), nip_->roller_radius, nip_->units, nip_->task};
   return true;
@@ -334,21 +334,24 @@ namespace {
 
 PartialSlipNip partial_slip(const data::PartialSlipNip& nip, const ContactUnits& units,
                             const PartialSlipTask& task, double accuracy) {
-  // Zones are sought with the accuracy of the second contact, and with better ones while zones are missing.
+  const double rough = rough_nats(task.friction);
+  double nats = std::max(std::log(8 / accuracy), rough - nats_apart);
+  // The zones are sought with the first contact, if it is accurate enough for that, or with the second.
+  const auto found = find_zones(task, nats < rough ? nats + nats_apart : nats);
+  if (!found) refuse_drive(nip, units.load * (task.load ? *task.load : load_guess(*task.length / 2)));
+  std::vector<ZoneContact> known{*found};
   std::optional<Solutions> solutions;
-  double load = task.load ? *task.load : load_guess(*task.length / 2);
-  const double least = std::max(std::log(8 / accuracy), least_nats);
-  for (const int finer : {0, 1, 2}) {
-    const double nats = least + finer * nats_apart;
-    if (solutions && (nats > most_nats || !solutions->lack_zones())) break;
-    auto second = solutions ? find_zones(task, solutions->second, nats + nats_apart)
-                            : find_zones(task, nats + nats_apart);
+  // If zones are missing, better accuracies may show them.
+  constexpr int most_accuracies = 3;
+  for (int number = 0; number < most_accuracies; ++number, nats += nats_apart) {
+    if (solutions && (nats > most_nats || !solutions->lack_zones() || solutions->relative < accuracy)) break;
+    auto second = nats < rough ? found : find_zones(task, known.back(), nats + nats_apart);
     if (!second) continue;
-    load = second->load();
-    if (auto found = with_differences(task, *std::move(second), nats, solutions ? &*solutions : nullptr))
-      solutions = std::move(found);
+    known.push_back(*second);
+    if (auto compared = with_differences(task, *std::move(second), nats, known))
+      solutions = std::move(compared);
   }
-  if (!solutions) refuse_drive(nip, units.load * load);
+  if (!solutions) refuse_drive(nip, units.load * found->load());
   return PartialSlipNip(std::make_unique<PartialSlipNip::Implementation>(
       PartialSlipNip::Implementation{*std::move(solutions), nip.roller_radius, units, task}));
 }

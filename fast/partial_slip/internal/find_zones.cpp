@@ -12,9 +12,6 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The initial length of a new zone over the length from which it is cut.
 constexpr double usual_part = 0.2;
-/// Zones are first sought in contacts of so many nats. With fewer, zones next to much shorter ones are not found, and with
-/// little friction the errors of pressures, which are like e^(-0.9 nats), are larger than shears.
-double rough_nats(double friction) { return std::max(20.0, -1.4 * std::log(friction)); }
 /// A contact with a larger mean_excess() lacks more than short zones.
 constexpr double too_much_excess = 1e-3;
 
@@ -59,8 +56,8 @@ struct WrongPart {
 };
 
 /// The parts where a contact violates its conditions by more than its accuracy explains.
-std::vector<WrongPart> wrong_parts(const ZoneContact& contact, double friction, double nats) {
-  const double tolerance = left_by_accuracy(nats);
+std::vector<WrongPart> wrong_parts(const ZoneContact& contact, double friction) {
+  const double tolerance = left_by_accuracy(contact.nats());
   const std::vector<ZoneContact::Sample>& samples = contact.samples();
   const std::vector<double> excess = excesses(contact, friction);
   std::vector<WrongPart> parts;
@@ -150,96 +147,102 @@ Zones with_missing_zones(Zones zones, const std::vector<WrongPart>& parts, const
   return zones;
 }
 
-/// The contact, solved with few unknowns first. They make Newton's steps fast, but may mislead the method.
-std::optional<ZoneContact> solved_in_two_stages(const PartialSlipTask& task, const Zones& zones,
-                                                double nats) {
-  constexpr double few = 11;
-  const auto near = ZoneContact::solved(task, zones, few);
-  return near ? ZoneContact::solved(task, *near, nats) : std::nullopt;
+/// How a contact is solved from zones that are far from right. Few unknowns make Newton's steps fast, but do not resolve
+/// zones that only a better accuracy shows; all unknowns take fifty times as long.
+enum class Start { few_unknowns, all_unknowns };
+
+double nats_at(Start start, const PartialSlipTask& task, double nats) {
+  // With few unknowns the errors of pressures, e^(-0.9 nats), are at most a tenth of the shears.
+  return start == Start::few_unknowns ? std::max(11.0, std::log(10 / task.friction) / 0.9) : nats;
+}
+
+/// The contact of `nats` with the zones of one that may have fewer.
+std::optional<ZoneContact> with_nats(const PartialSlipTask& task, std::optional<ZoneContact> contact,
+                                     double nats) {
+  if (!contact || contact->nats() == nats) return contact;
+  return ZoneContact::solved(task, *contact, nats);
 }
 
 /// The contact of least mean_excess() with these parts as zones of their own. Several lengths of new zones are tried,
 /// because Newton's method may shrink them to nothing. Nothing if none is found or the zones stay as they are.
 std::optional<ZoneContact> best_with_missing_zones(const PartialSlipTask& task, const ZoneContact& contact,
-                                                   const std::vector<WrongPart>& parts) {
+                                                   const std::vector<WrongPart>& parts, Start start) {
   constexpr NewZoneSize sizes[] = {{usual_part, true},      {usual_part, false},    {usual_part / 4, true},
                                    {usual_part / 4, false}, {2 * usual_part, true}, {2 * usual_part, false}};
   const double excess = mean_excess(contact, task.friction);
   std::optional<ZoneContact> best;
   double least_excess = infinity;
-  for (const bool in_two_stages : {true, false}) {
-    // Few unknowns do not resolve zones that only a better accuracy shows.
-    if (in_two_stages && contact.nats() > rough_nats(task.friction)) continue;
-    Zones zones;
-    for (const NewZoneSize& size : sizes) {
-      if (size.in_wrong_part && !turns_at_end(contact.zones(), parts)) continue;
-      // Some parts are cut out as they are, whatever the size.
-      if (std::exchange(zones, with_missing_zones(contact.zones(), parts, task, size)) == zones) continue;
-      if (in_same_order(zones, contact.zones())) return std::nullopt;
-      auto found = in_two_stages ? solved_in_two_stages(task, zones, contact.nats())
-                                 : ZoneContact::solved(task, zones, contact.nats());
-      // If two sizes lead to the same contact, the others do, too.
-      if (found && best && found->is_like(*best)) return best;
-      const double excess_of_found = found ? mean_excess(*found, task.friction) : infinity;
-      if (excess_of_found < least_excess) {
-        least_excess = excess_of_found;
-        best = std::move(found);
-      }
-      if (least_excess < excess / 10) return best;
+  Zones zones;
+  for (const NewZoneSize& size : sizes) {
+    if (size.in_wrong_part && !turns_at_end(contact.zones(), parts)) continue;
+    // Some parts are cut out as they are, whatever the size.
+    if (std::exchange(zones, with_missing_zones(contact.zones(), parts, task, size)) == zones) continue;
+    if (in_same_order(zones, contact.zones())) return std::nullopt;
+    auto found = ZoneContact::solved(task, zones, nats_at(start, task, contact.nats()));
+    // If two sizes lead to the same contact, the others do, too.
+    if (found && best && found->is_like(*best)) break;
+    const double excess_of_found = found ? mean_excess(*found, task.friction) : infinity;
+    if (excess_of_found < least_excess) {
+      least_excess = excess_of_found;
+      best = std::move(found);
     }
+    if (least_excess < excess / 10) break;
   }
-  return best;
+  return with_nats(task, std::move(best), contact.nats());
+}
+
+/// The contact with the shortest zones of slip left out, as many as Newton's method needs to converge.
+std::optional<ZoneContact> solved_without_shortest(const PartialSlipTask& task, Zones zones, double nats) {
+  while (leave_out_shortest_slip(zones))
+    if (auto contact = ZoneContact::solved(task, zones, nats)) return contact;
+  return std::nullopt;
 }
 
 /// Changes the zones until they meet all conditions as far as the accuracy shows, or until missing zones are not found.
 /// mean_excess() measures the violations that are left.
-std::optional<ZoneContact> corrected(const PartialSlipTask& task, std::optional<ZoneContact> contact,
-                                     Zones zones, double nats) {
-  while (!contact) {
-    if (!leave_out_shortest_slip(zones)) return std::nullopt;
-    contact = ZoneContact::solved(task, zones, nats);
-  }
+ZoneContact corrected(const PartialSlipTask& task, ZoneContact contact, Start start) {
   constexpr int most_changes = 8;
   for (int change = 0; change < most_changes; ++change) {
-    const std::vector<WrongPart> parts = wrong_parts(*contact, task.friction, nats);
+    const std::vector<WrongPart> parts = wrong_parts(contact, task.friction);
     if (parts.empty()) break;
-    auto next = best_with_missing_zones(task, *contact, parts);
+    auto next = best_with_missing_zones(task, contact, parts, start);
     if (!next) break;
-    contact = std::move(next);
+    contact = *std::move(next);
   }
   return contact;
 }
 
-/// The contact of rough_nats(), in which short zones may be missing.
-std::optional<ZoneContact> found_roughly(const PartialSlipTask& task) {
-  const double rough = rough_nats(task.friction);
+/// The contact of `nats` from zones that elements show, in which short zones may be missing.
+std::optional<ZoneContact> found_by_elements(const PartialSlipTask& task, double nats) {
   std::optional<ZoneContact> best;
   double least_excess = infinity;
-  const auto is_found_by = [&](std::optional<ZoneContact> first, const Zones& zones) {
-    auto contact = corrected(task, std::move(first), zones, rough);
+  const auto is_right = [&](std::optional<ZoneContact> contact, Start start) {
     if (!contact) return false;
+    contact = corrected(task, *std::move(contact), start);
     if (const double excess = mean_excess(*contact, task.friction); excess < least_excess) {
       least_excess = excess;
       best = std::move(contact);
     }
     // The mean excess of a contact with the right zones is at most its accuracy.
-    return least_excess < std::exp(-rough);
+    return least_excess < std::exp(-nats);
   };
-  // Zones with which Newton's method does not converge. Some of them may have to be left out.
-  std::vector<Zones> not_solved;
+  std::vector<Zones> tried;
   const auto is_found_from = [&](const Zones& zones) {
-    const auto first = solved_in_two_stages(task, zones, rough);
-    if (first && is_found_by(first, zones)) return true;
-    auto again = ZoneContact::solved(task, zones, rough);
-    if (!first && !again) not_solved.push_back(zones);
-    return again && !(first && again->is_like(*first)) && is_found_by(std::move(again), zones);
+    if (std::ranges::find(tried, zones) != tried.end()) return false;
+    tried.push_back(zones);
+    auto contact = ZoneContact::solved(task, zones, nats_at(Start::few_unknowns, task, nats));
+    return is_right(with_nats(task, std::move(contact), nats), Start::few_unknowns);
   };
-  for (const int elements : {60, 120, 240, 480}) {
-    const std::optional<Zones> zones = plain_zones(task, elements);
-    if (zones && is_found_from(*zones)) return best;
+  for (const int elements : {60, 120}) {
+    const auto zones = slipping_zones(task, elements);
+    if (!zones) break;
+    if (is_found_from(*zones)) return best;
   }
-  for (const Zones& zones : not_solved)
-    if (is_found_by(std::nullopt, zones)) return best;
+  for (const int elements : {60, 120, 240})
+    if (auto zones = plain_zones(task, elements)) {
+      separate_slips(*zones, usual_part);
+      if (is_found_from(*zones)) return best;
+    }
   // Elements do not show zones next to the trailing end that are much shorter than they are.
   const Zones sticking{{length_guess(task), 0}};
   if (sticks_everywhere(task, sticking) && is_found_from(sticking)) return best;
@@ -248,26 +251,40 @@ std::optional<ZoneContact> found_roughly(const PartialSlipTask& task) {
     slip_at_end(zones, sign);
     if (is_found_from(zones)) return best;
   }
+  std::vector<Zones> not_solved;
+  for (const Zones& zones : tried) {
+    auto contact = ZoneContact::solved(task, zones, nats);
+    if (!contact) not_solved.push_back(zones);
+    if (is_right(std::move(contact), Start::all_unknowns)) return best;
+  }
+  // Some zones with which Newton's method does not converge may have to be left out.
+  for (const Zones& zones : not_solved)
+    if (is_right(solved_without_shortest(task, zones, nats), Start::all_unknowns)) return best;
   return least_excess <= too_much_excess ? best : std::nullopt;
 }
 
 }  // namespace
 
+double rough_nats(double friction) { return std::max(20.0, -1.4 * std::log(friction)); }
+
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneContact& near, double nats) {
-  return corrected(task, ZoneContact::solved(task, near, nats), near.zones(), nats);
+  auto contact = ZoneContact::solved(task, near, nats);
+  if (!contact || !contact->is_like(near)) contact = solved_without_shortest(task, near.zones(), nats);
+  if (!contact) return std::nullopt;
+  return corrected(task, corrected(task, *std::move(contact), Start::few_unknowns), Start::all_unknowns);
 }
 
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) {
-  auto best = found_roughly(task);
-  if (!best) return std::nullopt;
-  const double rough = best->nats();
   // A better accuracy shows shorter zones. They are found more easily if only few unknowns are added at a time.
   constexpr double stride = 5;
-  for (double finer = rough + stride;
-       finer < nats && mean_excess(*best, task.friction) > left_by_accuracy(nats); finer += stride) {
-    if (auto contact = find_zones(task, *best, finer)) best = std::move(contact);
+  const double strides = std::floor((nats - rough_nats(task.friction)) / stride);
+  auto best = found_by_elements(task, nats - strides * stride);
+  if (!best) return std::nullopt;
+  for (double left = strides - 1; left > 0; --left) {
+    if (mean_excess(*best, task.friction) <= left_by_accuracy(nats)) break;
+    if (auto contact = find_zones(task, *best, nats - left * stride)) best = std::move(contact);
   }
-  return nats > rough ? find_zones(task, *best, nats) : ZoneContact::solved(task, *best, nats);
+  return strides > 0 ? find_zones(task, *best, nats) : best;
 }
 
 std::vector<double> excesses(const ZoneContact& contact, double friction) {

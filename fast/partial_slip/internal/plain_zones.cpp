@@ -49,8 +49,7 @@ class Elements {
     const MatrixXd pressures = Elimination(std::move(normal)).solve_columns(right);
     pressure_by_shear_ = pressures.topLeftCorner(count, count);
     pressure_without_ = pressures.col(count).head(count);
-    coupling.conservativeResize(count, count);  // an element strains at its leading edge
-    strain_by_shear_ = along.topRows(count) + product(coupling, pressure_by_shear_);
+    strain_by_shear_ = along + product(coupling, pressure_by_shear_);
     strain_without_ = coupling * pressure_without_;
     edges_ = edges;
     edges_(0) = 0;
@@ -69,21 +68,96 @@ class Elements {
   /// The place where an element begins and the one before it ends.
   [[nodiscard]] double edge(int element) const { return edges_(element); }
 
-  /// A zone of stick between opposite slips of two elements.
-  struct Turn {
-    double place, length;
-  };
-  /// The zone is where the slip between the elements is 0, about as long as for little friction. With q = -mu p before
-  /// the zone, mu p behind it and the slope s' of the slip without it, (1/pi) int q'/(e' - e) de' = s' in the zone, and
-  /// q' is bounded where the zone begins. Therefore q' = 2 mu p/pi (x/(l - x))^(1/2)/l at the distance 0 < x < l from
-  /// the beginning, with l = 4 mu p/(pi s').
-  [[nodiscard]] Turn turn(int before, int behind) const {
-    const double slope = (slip_(behind) - slip_(before)) / (edges_(behind) - edges_(before));
-    return {edges_(behind) - slip_(behind) / slope,
-            std::fabs(4 * task_.friction * pressure_(before) / (std::numbers::pi * slope))};
+  /// The zones if friction is so little that the sheet sticks in short zones alone, where slip turns around. Elements then
+  /// have a mean of both signs. The signs determine the shears, these the slip, and this the signs. Nothing if this does
+  /// not end or zones of stick are not short.
+  std::optional<Zones> slipping() {
+    constexpr int most_changes = 10;
+    constexpr double tolerance = 1e-6;
+    shear_ = VectorXd::Zero(count_);
+    for (int change = 0; change < most_changes; ++change) {
+      pressure_ = pressure_without_ + pressure_by_shear_ * shear_;
+      slip_ = strain_without_ + strain_by_shear_ * shear_;
+      slip_.array() -= task_.creep ? *task_.creep : slipping_creep();
+      const VectorXd before = std::exchange(shear_, slipping_shear(0));
+      const Zones zones = zones_of(turns(0));
+      for (std::size_t k = 1; k + 1 < zones.size(); k += 2)
+        if (!(4 * zones[k].length < std::min(zones[k - 1].length, zones[k + 1].length))) return std::nullopt;
+      if ((shear_ - before).lpNorm<1>() < tolerance * task_.friction * pressure_.lpNorm<1>()) return zones;
+    }
+    return std::nullopt;
   }
 
  private:
+  /// The length l of a zone of stick with little friction, if s' is the slope of the slip without it, q = mu p sign(s')
+  /// before the zone and -mu p sign(s') behind it. A shear q causes a pressure p with H p = beta q, and the slip
+  /// -H q - beta p, where H q = (1/pi) int q/(e - e') de' and H H = -1: together the slip -(1 - beta^2) H q. Therefore
+  /// (1 - beta^2) H q' = s' in the zone, and q' is bounded where the zone begins. At the distance x from there
+  /// q' = -4 mu p sign(s')/(pi l) (x/(l - x))^(1/2), with l = (1 - beta^2) 4 mu p/(pi |s'|).
+  [[nodiscard]] double length_of_turn(int element, double slope) const {
+    return (1 - task_.beta * task_.beta) * 4 * task_.friction * pressure_(element) /
+           (std::numbers::pi * std::fabs(slope));
+  }
+
+  /// Where slip is `limit`, in steps of theta, which are i + 1/2 to i + 3/2 in element i.
+  struct Turns {
+    int first_sign;  ///< of the shear at the leading end
+    std::vector<double> places;
+  };
+  [[nodiscard]] Turns turns(double limit) const {
+    Turns turns{slip_(0) > limit ? -1 : 1, {}};
+    for (int i = 0; i < count_; ++i)
+      if ((slip_(i) > limit) != (slip_(i + 1) > limit))
+        turns.places.push_back(i + 0.5 + (limit - slip_(i)) / (slip_(i + 1) - slip_(i)));
+    return turns;
+  }
+  /// The shears if slip turned around where it is `limit` now.
+  [[nodiscard]] VectorXd slipping_shear(double limit) const {
+    const auto [first_sign, places] = turns(limit);
+    VectorXd shear = task_.friction * first_sign * pressure_;
+    int sign = first_sign;
+    for (const double place : places) {
+      const auto element = std::min(static_cast<int>(place - 0.5), count_ - 1);
+      const double behind = element + 1.5 - place;  // the part of the element that is behind the place
+      shear(element) -= 2 * sign * behind * task_.friction * pressure_(element);
+      sign = -sign;
+      for (int i = element + 1; i < count_; ++i) shear(i) = task_.friction * sign * pressure_(i);
+    }
+    return shear;
+  }
+  /// The creep over the present one with which the contact has the given traction, which grows with it.
+  [[nodiscard]] double slipping_creep() const {
+    double least = slip_.minCoeff(), most = slip_.maxCoeff();
+    constexpr int bits = 50;
+    for (int bit = 0; bit < bits; ++bit) {
+      const double middle = std::midpoint(least, most);
+      (weights_.dot(slipping_shear(middle)) < wanted_traction() ? least : most) = middle;
+    }
+    return least;
+  }
+  /// Zones of slip with one of stick at each turn.
+  [[nodiscard]] Zones zones_of(const Turns& turns) const {
+    Zones zones;
+    double start = 0;
+    int sign = turns.first_sign;
+    for (const double place : turns.places) {
+      const auto i = std::min(static_cast<int>(place - 0.5), count_ - 1);
+      const double half = length_of_turn(i, (slip_(i + 1) - slip_(i)) / (edges_(i + 1) - edges_(i))) / 2,
+                   e = std::lerp(edges_(i), edges_(i + 1), place - i - 0.5);
+      zones.push_back({e - half - start, sign});
+      zones.push_back({2 * half, 0});
+      start = e + half;
+      sign = -sign;
+    }
+    zones.push_back({length_ - start, sign});
+    return zones;
+  }
+
+  /// The load of the elements is not exactly a given load; the traction is to be the same share of it.
+  [[nodiscard]] double wanted_traction() const {
+    return task_.load ? *task_.traction / *task_.load * weights_.dot(pressure_) : *task_.traction;
+  }
+
   /// Changes signs until none violates its condition at the present creep; returns false if this does not end.
   bool settles() {
     constexpr int most_changes = 20;
@@ -132,9 +206,8 @@ class Elements {
     std::vector<int> signs;
     double creep = 0, least_missing = std::numeric_limits<double>::infinity();
     for (int step = 0; step < most_steps; ++step) {
-      // The load of the elements is not exactly a given load; the traction is to be the same share of it.
       const double of_load = task_.load ? *task_.traction / *task_.load : 0, load = weights_.dot(pressure_);
-      const double missing = (task_.load ? of_load * load : *task_.traction) - weights_.dot(shear_);
+      const double missing = wanted_traction() - weights_.dot(shear_);
       if (std::fabs(missing) < least_missing) {
         signs = signs_;
         creep = creep_;
@@ -155,8 +228,8 @@ class Elements {
 
   /// Solves for the tractions with the present signs.
   void solve() {
-    MatrixXd matrix = strain_by_shear_, right(count_, 2);  // without creep, and per creep
-    right << -strain_without_, VectorXd::Ones(count_);
+    MatrixXd matrix = strain_by_shear_.topRows(count_), right(count_, 2);  // without creep, and per creep
+    right << -strain_without_.head(count_), VectorXd::Ones(count_);
     for (int i = 0; i < count_; ++i) {
       const double ratio = task_.friction * signs_[static_cast<std::size_t>(i)];
       if (ratio == 0) continue;
@@ -213,25 +286,14 @@ Elements settled(const PartialSlipTask& task, double length, int count) {
   return elements;
 }
 
-/// Moves zones of stick, of one element or none, to where slip turns around. `first`: the first element of each zone.
-void stick_where_slips_turn(Zones& zones, const std::vector<int>& first, const Elements& elements) {
-  double start = 0;
-  for (std::size_t k = 1; k + 1 < zones.size(); start += zones[k - 1].length, ++k) {
-    Zone &before = zones[k - 1], &here = zones[k], &behind = zones[k + 1];
-    if (before.sign * behind.sign >= 0 || first[k + 1] > first[k] + 1) continue;
-    const auto [place, length] = elements.turn(first[k] - 1, first[k + 1]);
-    const double most = std::max(here.length, std::min(before.length, behind.length) / 4),
-                 end = start + before.length + here.length + behind.length;
-    here.length = std::min({length, most, place - start, end - place});
-    before.length = place - here.length / 2 - start;
-    behind.length = end - start - before.length - here.length;
-  }
-}
-
 }  // namespace
 
 double length_guess(const PartialSlipTask& task) {
   return task.length ? *task.length : 2 * half_length_guess(*task.load);
+}
+
+std::optional<Zones> slipping_zones(const PartialSlipTask& task, int elements) {
+  return Elements(task, length_guess(task), elements).slipping();
 }
 
 std::optional<Zones> plain_zones(const PartialSlipTask& task, int count) {
@@ -243,18 +305,11 @@ std::optional<Zones> plain_zones(const PartialSlipTask& task, int count) {
   if (signs[signs.size() - 2] != 0 || (sticking == count - 1 && task.traction == 0.0))
     signs.back() = signs[signs.size() - 2];
   Zones zones;
-  std::vector<int> first;
-  const auto begin = [&](int sign, int element) {
-    zones.push_back({0, sign});
-    first.push_back(element);
-  };
   for (int i = 0; i < count; ++i) {
     const int sign = signs[static_cast<std::size_t>(i)];
-    if (i > 0 && zones.back().sign * sign < 0) begin(0, i);
-    if (i == 0 || zones.back().sign != sign) begin(sign, i);
+    if (i == 0 || zones.back().sign != sign) zones.push_back({0, sign});
     zones.back().length += elements.edge(i + 1) - elements.edge(i);
   }
-  stick_where_slips_turn(zones, first, elements);
   // With a given traction a part of the contact sticks, if less than an element.
   if (task.traction && zones.size() == 1 && zones.front().sign != 0) {
     zones.insert(zones.begin(), {elements.edge(1) / 2, 0});

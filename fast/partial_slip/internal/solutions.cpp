@@ -99,13 +99,13 @@ double shorter_beside(const ZoneContact& contact, std::size_t k) {
 }
 
 std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneContact second, double nats,
-                                          const Solutions* lesser) {
+                                          const std::vector<ZoneContact>& known) {
   const auto solved = [&](double nats_of_it) {
-    if (lesser != nullptr)
-      for (const ZoneContact* const known : {&lesser->first, &lesser->second})
-        if (std::fabs(known->nats() - nats_of_it) < 1e-9 && second.is_like(*known))
-          return std::optional(*known);
-    return ZoneContact::solved(task, second, nats_of_it);
+    for (const ZoneContact& contact : known)
+      if (std::fabs(contact.nats() - nats_of_it) < 1e-9 && second.is_like(contact))
+        return std::optional(contact);
+    auto contact = ZoneContact::solved(task, second, nats_of_it);
+    return contact && second.is_like(*contact) ? std::move(contact) : std::nullopt;
   };
   auto first = solved(nats);
   if (!first) return std::nullopt;

@@ -19,10 +19,9 @@ struct Solutions {
 };
 
 /// Solves the first discretisation, of `nats`, and a rougher one with the zones of the second, and compares. Nothing
-/// if the first does not exist. `lesser`, if any: solutions of a lesser accuracy, whose contacts are used again if
-/// they are the same.
+/// if the first does not exist. `known`: contacts that are used again if they are the same.
 std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneContact second, double nats,
-                                          const Solutions* lesser = nullptr);
+                                          const std::vector<ZoneContact>& known);
 
 /// Y of the boundary before the zone number k.
 double boundary(const ZoneContact& contact, std::size_t k);

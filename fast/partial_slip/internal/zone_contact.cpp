@@ -74,8 +74,7 @@ std::optional<ZoneContact> ZoneContact::solved(const PartialSlipTask& task, cons
   }),
       near.leading_length(), near.creep();
   if (!equations.solve_from(unknowns)) return std::nullopt;
-  ZoneContact contact(std::move(equations));
-  return contact.is_like(near) ? std::optional(std::move(contact)) : std::nullopt;
+  return ZoneContact(std::move(equations));
 }
 
 double ZoneContact::corresponding_place(const ZoneContact& other, double e) const {

@@ -39,13 +39,13 @@ ZoneEquations::ZoneEquations(const PartialSlipTask& task, const Zones& zones, do
       along_(matched(mesh_.midpoints(), &ZoneMesh::Midpoint::matches_along)),
       shear_here_(rows_of(mesh_.at_midpoints().shear, normal_)),
       pressure_here_(rows_of(mesh_.at_midpoints().pressure, along_)),
+      kernels_(kernels()),
       unknowns_(Eigen::VectorXd::Zero(mesh_.unknowns() + 2)) {}
 
 bool ZoneEquations::solve() {
   if (!is_square()) return false;
   // For given lengths the equations are linear.
-  const Kernels kernels = this->kernels();
-  unknowns_ = least_squares(jacobian(kernels).leftCols(unknowns_.size()), -residual(kernels));
+  unknowns_ = least_squares(jacobian().leftCols(unknowns_.size()), -residual());
   return iterate();
 }
 
@@ -68,20 +68,21 @@ ZoneEquations::Forces ZoneEquations::forces() const {
           weights.cwiseProduct(mesh_.at_nodes().shear * tractions)};
 }
 
-ZoneEquations::Kernels ZoneEquations::kernels() const {
+std::shared_ptr<const ZoneEquations::Kernels> ZoneEquations::kernels() const {
   Eigen::MatrixXd cauchy = mesh_.distances();
   cauchy = (-pi * cauchy).cwiseInverse();
-  return {std::move(cauchy), {length(), places(mesh_.midpoints()), places(mesh_.nodes())}};
+  const SlopeKernels rest(length(), places(mesh_.midpoints()), places(mesh_.nodes()));
+  return std::make_shared<const Kernels>(std::move(cauchy), rest);
 }
 
-ZoneEquations::Misfits ZoneEquations::misfits(const Kernels& kernels) const {
+ZoneEquations::Misfits ZoneEquations::misfits() const {
   const auto tractions = unknowns_.head(mesh_.unknowns());
   const Eigen::VectorXd p_here = mesh_.at_midpoints().pressure * tractions,
                         q_here = mesh_.at_midpoints().shear * tractions;
   const Forces forces = this->forces();
   const Eigen::VectorXd normal = forces.normal, tangential = forces.tangential;
-  const Rows rest = kernels.rest.values(normal, tangential);
-  Eigen::VectorXd across = kernels.cauchy * normal, along = kernels.cauchy * tangential;
+  const Rows rest = kernels_->rest.values(normal, tangential);
+  Eigen::VectorXd across = kernels_->cauchy * normal, along = kernels_->cauchy * tangential;
   across += rest.normal;
   across += task_.beta * q_here;
   along += rest.along;
@@ -95,8 +96,8 @@ Eigen::MatrixXd ZoneEquations::extents(const auto& points) const {
   });
 }
 
-ZoneEquations::Rows ZoneEquations::by_lengths(const Kernels& kernels) const {
-  const auto& [cauchy, rest] = kernels;
+ZoneEquations::Rows ZoneEquations::by_lengths() const {
+  const auto& [cauchy, rest] = *kernels_;
   // The length of a zone moves midpoints and nodes, and changes the weights of the zone's nodes.
   const Forces forces = this->forces();
   const Eigen::VectorXd normal = forces.normal, tangential = forces.tangential;
@@ -164,9 +165,9 @@ Eigen::VectorXd ZoneEquations::of_equations(const Misfits& at_midpoints, double 
   return numbers;
 }
 
-Eigen::VectorXd ZoneEquations::residual(const Kernels& kernels) const {
+Eigen::VectorXd ZoneEquations::residual() const {
   const Forces of = forces();
-  return of_equations(misfits(kernels), task_.load ? of.normal.sum() - *task_.load : length() - *task_.length,
+  return of_equations(misfits(), task_.load ? of.normal.sum() - *task_.load : length() - *task_.length,
                       task_.creep ? creep() - *task_.creep : of.tangential.sum() - *task_.traction);
 }
 
@@ -177,8 +178,7 @@ Eigen::VectorXd ZoneEquations::rounding_of_lengths() const {
   const auto tractions = unknowns_.head(mesh_.unknowns());
   const Eigen::VectorXd p_here = mesh_.at_midpoints().pressure * tractions,
                         q_here = mesh_.at_midpoints().shear * tractions;
-  const Kernels kernels = this->kernels();
-  const Eigen::MatrixXd cauchy = kernels.cauchy.cwiseAbs();
+  const Eigen::MatrixXd cauchy = kernels_->cauchy.cwiseAbs();
   const Eigen::VectorXd across = cauchy * normal, along = cauchy * tangential;
   const double rest = largest_rest * (normal.sum() + tangential.sum());
   const Eigen::VectorXd sizes =
@@ -189,22 +189,22 @@ Eigen::VectorXd ZoneEquations::rounding_of_lengths() const {
   return operations * 0x1p-53 * (lengths_by_equations_.cwiseAbs().transpose() * sizes);
 }
 
-Eigen::MatrixXd ZoneEquations::jacobian(const Kernels& kernels) const {
+Eigen::MatrixXd ZoneEquations::jacobian() const {
   const Index unknowns = mesh_.unknowns(), lengths = unknowns + 2, zones = static_cast<Index>(zones_.size());
   const Eigen::VectorXd weights = this->weights();
   const Sparse pressure = weights.asDiagonal() * mesh_.at_nodes().pressure,
                shear = weights.asDiagonal() * mesh_.at_nodes().shear;
-  const Rows rest = kernels.rest.at_points(pressure, shear), by_lengths = this->by_lengths(kernels);
+  const Rows rest = kernels_->rest.at_points(pressure, shear), by_lengths = this->by_lengths();
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(lengths + zones, lengths + zones);
   Index row = 0;
   const auto add = [&](const std::vector<Index>& matched, const Sparse& forces,
                        const Eigen::MatrixXd& rest_at_points, const Sparse& here,
                        const Eigen::MatrixXd& of_lengths) {
-    const Eigen::MatrixXd cauchy = kernels.cauchy(matched, Eigen::all);
+    const Eigen::MatrixXd cauchy = kernels_->cauchy(matched, Eigen::all);
     auto rows = jacobian.middleRows(row, std::ssize(matched));
     auto by_tractions = rows.leftCols(unknowns);
     add_product(cauchy, forces, by_tractions);
-    add_product(kernels.rest.to_targets(matched), rest_at_points, by_tractions);
+    add_product(kernels_->rest.to_targets(matched), rest_at_points, by_tractions);
     by_tractions += here;
     rows.rightCols(zones) = of_lengths(matched, Eigen::all);
     row += rows.rows();
@@ -264,11 +264,10 @@ bool ZoneEquations::converges(Elimination& derivatives) {
     return change.tail(static_cast<Index>(zones_.size())).cwiseAbs().maxCoeff();
   };
   double last_step = std::numeric_limits<double>::infinity();
-  Kernels kernels = this->kernels();
-  Eigen::VectorXd remains = residual(kernels);
+  Eigen::VectorXd remains = residual();
   for (int number = 0; number < most_steps; ++number) {
     if (last_step > short_step) {
-      derivatives = Elimination(jacobian(kernels));
+      derivatives = Elimination(jacobian());
       ++task_.work->systems;
       task_.work->unknowns = std::max(task_.work->unknowns, static_cast<int>(derivatives.size()));
     }
@@ -288,8 +287,8 @@ bool ZoneEquations::converges(Elimination& derivatives) {
             return zone.length < shortest_zone * length();
           }))
         return false;
-      kernels = this->kernels();
-      remains = residual(kernels);
+      kernels_ = kernels();
+      remains = residual();
       if (size < short_step || size_of(derivatives.solve(remains)) < (1 - part / 4) * size) break;
       if (part < least_part) return false;
     }

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 #include <nipref/fast/number/internal/linear_system.hpp>
@@ -42,7 +43,7 @@ class ZoneEquations {
   struct Misfits {
     Eigen::ArrayXd normal, along;
   };
-  [[nodiscard]] Misfits misfits() const { return misfits(kernels()); }
+  [[nodiscard]] Misfits misfits() const;
   /// The rounding errors of the logarithms of the zones' lengths: |J^-1| times the sizes of the equations' terms, times
   /// 2^-53 for each operation in a term: four for a weight, two for a traction, five for a kernel, and their product.
   /// J, the derivatives with respect to all unknowns and these logarithms, is that of Newton's last steps.
@@ -59,22 +60,21 @@ class ZoneEquations {
     Eigen::MatrixXd cauchy;
     SlopeKernels rest;
   };
-  [[nodiscard]] Kernels kernels() const;
-  [[nodiscard]] Misfits misfits(const Kernels& kernels) const;
+  [[nodiscard]] std::shared_ptr<const Kernels> kernels() const;
   using Rows = SlopeKernels::Rows;
   /// The derivatives of the misfits with respect to the logarithms of the zones' lengths. add_of_cauchy adds those of
   /// the sums of Cauchy's kernels over given forces at the nodes.
-  [[nodiscard]] Rows by_lengths(const Kernels& kernels) const;
+  [[nodiscard]] Rows by_lengths() const;
   void add_of_cauchy(const Eigen::MatrixXd& cauchy, const Eigen::VectorXd& forces,
                      Eigen::MatrixXd& by_lengths) const;
   /// The residual of the equations. jacobian() has its derivatives with respect to all unknowns and these logarithms.
-  [[nodiscard]] Eigen::VectorXd residual(const Kernels& kernels) const;
+  [[nodiscard]] Eigen::VectorXd residual() const;
   [[nodiscard]] Index equations() const;  ///< number of equations
   [[nodiscard]] bool is_square() const;
   /// A number for each equation in order: at matched midpoints, of load or length, of creep or traction.
   [[nodiscard]] Eigen::VectorXd of_equations(const Misfits& at_midpoints, double of_load,
                                              double of_creep) const;
-  [[nodiscard]] Eigen::MatrixXd jacobian(const Kernels& kernels) const;
+  [[nodiscard]] Eigen::MatrixXd jacobian() const;
   [[nodiscard]] Eigen::VectorXd weights() const;  ///< of the nodes
   /// The matrix of a number for each point, row, and each zone, column.
   [[nodiscard]] Eigen::MatrixXd of_points(const auto& points, const auto& number) const {
@@ -103,6 +103,7 @@ class ZoneEquations {
   ZoneMesh mesh_;
   std::vector<Index> normal_, along_;  ///< the midpoints at which the equations of u' and of v' hold
   Eigen::SparseMatrix<double> shear_here_, pressure_here_;  ///< of unit unknowns at these midpoints
+  std::shared_ptr<const Kernels> kernels_;  ///< of the present zones; copies of a contact share them
   Eigen::VectorXd unknowns_;
   Eigen::MatrixXd lengths_by_equations_;  ///< rows of J^-1 as columns, a column for each zone
 };
