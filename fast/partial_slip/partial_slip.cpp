@@ -257,19 +257,16 @@ Estimate PartialSlipNip::peak_shear_position() const { return nip_->peak_positio
 std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
   const ZoneContact& contact = nip_->second;
   const std::vector<bool>& lacks_zones = nip_->lacks_zones;
-  std::optional<Eigen::VectorXd> of_rounding;
-  const auto rounded = [&](std::size_t zone) {
-    if (!of_rounding) of_rounding = contact.rounding_of_lengths();
-    return (*of_rounding)(static_cast<Eigen::Index>(zone)) * contact.zones()[zone].length;
-  };
+  const Eigen::VectorXd of_rounding = contact.rounding_of_ends();
   const std::size_t end = contact.zones().size();
   std::vector<Estimate> all;
   for (std::size_t k = 0; k <= end; ++k) {
     all.push_back(nip_->of_length([&](const ZoneContact& one) { return boundary(one, k); }));
     if (k == 0 || k == end) continue;
     double& error = all.back().error;
-    error += nip_->units.length *
-             (nip_->of_boundaries * longer_beside(contact, k) + std::max(rounded(k - 1), rounded(k)));
+    const double of_discretisation =
+        is_smooth(contact, k) ? nip_->of_boundaries * longer_beside(contact, k) : 0;
+    error += nip_->units.length * (of_discretisation + of_rounding(static_cast<Eigen::Index>(k) - 1));
     // Zones that are left out beside a boundary are at most as long as the shorter zone beside it.
     if (lacks_zones[k - 1] || lacks_zones[k]) error += nip_->units.length * shorter_beside(contact, k);
   }

@@ -20,8 +20,8 @@ namespace nipref::fast {
 /// because these may agree by chance, the largest difference of such numbers between the last and the second, or
 /// between the last and the first times e^-2.4: the relative difference of the contact's length, place, load,
 /// traction or creep, times the size of numbers like J (the error of the whole); for tractions the difference from
-/// the second at the 16 samples next to Y and the effect of such an error of Y; for boundaries the difference over
-/// the longer of their zones. Terms of second order in the differences of boundaries and the rounding of sums and
+/// the second at the 16 samples next to Y and the effect of such an error of Y; for boundaries where slip turns into
+/// stick, which are the least accurate ones, their difference over the longer of their zones. Terms of second order in the differences of boundaries and the rounding of sums and
 /// places are added. Zones that are too short to be found are left out. The mean violation of the conditions of
 /// stick and slip, relative, adds to the error of the whole. Where a zone is known to be missing, the contact may be
 /// any other: twice the share of this part, times mu if mu > 1, adds to the error of the whole. There pressures may

@@ -9,10 +9,11 @@
 namespace nipref::fast {
 namespace {
 
-/// The largest difference of boundaries, over the longer zone beside.
+/// The largest difference of smooth boundaries, over the longer zone beside.
 double boundary_difference(const ZoneContact& coarser, const ZoneContact& contact) {
   double largest = 0;
   for (std::size_t k = 1; k < contact.zones().size(); ++k) {
+    if (!is_smooth(contact, k)) continue;
     const double difference = std::fabs(boundary(contact, k) - boundary(coarser, k));
     largest = std::max(largest, difference / longer_beside(contact, k));
   }
@@ -89,6 +90,8 @@ double boundary(const ZoneContact& contact, std::size_t k) {
   for (std::size_t z = 0; z < k; ++z) e += contact.zones()[z].length;
   return contact.leading_length() - e;
 }
+
+bool is_smooth(const ZoneContact& contact, std::size_t k) { return contact.zones()[k].sign == 0; }
 
 double longer_beside(const ZoneContact& contact, std::size_t k) {
   return std::max(contact.zones()[k - 1].length, contact.zones()[k].length);

@@ -11,7 +11,7 @@ namespace nipref::fast {
 struct Solutions {
   ZoneContact first, second;
   double relative;       ///< relative error of the whole, with violated conditions and missing zones
-  double of_boundaries;  ///< error of boundaries of zones, over the longer zone beside
+  double of_boundaries;  ///< error of smooth boundaries of zones, over the longer zone beside
   /// At each sample: the differences of the tractions, and their possible errors by zones that are left out.
   std::vector<ZoneContact::Traction> of_tractions, wrong_tractions;
   std::vector<bool> lacks_zones;  ///< for each zone, whether others are left out in it
@@ -25,6 +25,8 @@ std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneConta
 
 /// Y of the boundary before the zone number k.
 double boundary(const ZoneContact& contact, std::size_t k);
+/// Whether slip turns into stick there, where tractions are smooth, so that this boundary is the least accurate one.
+bool is_smooth(const ZoneContact& contact, std::size_t k);
 /// The length of the longer and of the shorter zone beside this boundary.
 double longer_beside(const ZoneContact& contact, std::size_t k);
 double shorter_beside(const ZoneContact& contact, std::size_t k);

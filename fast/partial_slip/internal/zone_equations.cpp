@@ -171,7 +171,7 @@ Eigen::VectorXd ZoneEquations::residual() const {
                       task_.creep ? creep() - *task_.creep : of.tangential.sum() - *task_.traction);
 }
 
-Eigen::VectorXd ZoneEquations::rounding_of_lengths() const {
+Eigen::VectorXd ZoneEquations::rounding_of_ends() const {
   constexpr double operations = 12, largest_rest = 0.25;  // largest_rest: of S far away
   const Forces forces = this->forces();
   const Eigen::VectorXd normal = forces.normal.abs(), tangential = forces.tangential.abs();
@@ -186,7 +186,12 @@ Eigen::VectorXd ZoneEquations::rounding_of_lengths() const {
                         2 * (leading_length() - places(mesh_.midpoints())).abs(),
                     along.array() + rest + task_.beta * p_here.array().abs() + std::fabs(creep())},
                    task_.load ? normal.sum() : length(), task_.creep ? std::fabs(creep()) : tangential.sum());
-  return operations * 0x1p-53 * (lengths_by_equations_.cwiseAbs().transpose() * sizes);
+  Eigen::MatrixXd ends_by_equations = lengths_by_equations_;
+  for (Index z = 0; z < std::ssize(zones_); ++z) {
+    ends_by_equations.col(z) *= zones_[static_cast<std::size_t>(z)].length;
+    if (z > 0) ends_by_equations.col(z) += ends_by_equations.col(z - 1);
+  }
+  return operations * 0x1p-53 * (ends_by_equations.cwiseAbs().transpose() * sizes);
 }
 
 Eigen::MatrixXd ZoneEquations::jacobian() const {

@@ -44,10 +44,11 @@ class ZoneEquations {
     Eigen::ArrayXd normal, along;
   };
   [[nodiscard]] Misfits misfits() const;
-  /// The rounding errors of the logarithms of the zones' lengths: |J^-1| times the sizes of the equations' terms, times
-  /// 2^-53 for each operation in a term: four for a weight, two for a traction, five for a kernel, and their product.
-  /// J, the derivatives with respect to all unknowns and these logarithms, is that of Newton's last steps.
-  [[nodiscard]] Eigen::VectorXd rounding_of_lengths() const;
+  /// The rounding errors of the zones' ends, as distances from the leading end: |E J^-1| times the sizes of the equations'
+  /// terms, times 2^-53 for each operation in a term: four for a weight, two for a traction, five for a kernel, and their
+  /// product. J, the derivatives with respect to all unknowns and the logarithms of the zones' lengths, is that of Newton's
+  /// last steps. E has the derivatives of the ends with respect to all these.
+  [[nodiscard]] Eigen::VectorXd rounding_of_ends() const;
   [[nodiscard]] Eigen::ArrayXd places(const auto& points) const {
     return Eigen::ArrayXd::NullaryExpr(static_cast<Index>(points.size()), [&](Index i) {
       return mesh_.place(points[static_cast<std::size_t>(i)]);

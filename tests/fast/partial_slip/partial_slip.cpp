@@ -89,6 +89,23 @@ TEST_CASE("with more unknowns the contact converges, and so do the boundaries of
   }
 }
 
+TEST_CASE(
+    "boundaries where stick turns into slip are stated to nearly all digits, others as far as unknowns tell") {
+  const auto solved = [](double accuracy) {
+    return fast::partial_slip_for_load(unit_nip(0.3, 0.1, GivenTraction{-0.002}), 0.1, accuracy);
+  };
+  const auto nip = solved(1e-8), finer = solved(1e-12);
+  const std::vector<int> signs = nip.zone_signs();
+  REQUIRE(signs == std::vector<int>{1, 0, -1, 0, 1});
+  const auto boundaries = nip.zone_boundaries(), truth = finer.zone_boundaries();
+  const double length = nip.contact_length().value;
+  for (std::size_t k = 1; k < signs.size(); ++k) {
+    CAPTURE(k);
+    CHECK(std::fabs(boundaries[k].value - truth[k].value) <= boundaries[k].error + truth[k].error);
+    CHECK((boundaries[k].error < 1e-11 * length) == (signs[k - 1] == 0));
+  }
+}
+
 TEST_CASE("as friction goes to 0 slip turns around where Bentall and Johnson have it") {
   // asin(c/a) + (c/a) sqrt(1 - (c/a)^2) = pi/4, creep beta (a/R) sqrt(1 - (c/a)^2).
   const double c = 0.40397275, poisson = 0.4, beta = (1 - 2 * poisson) / (2 * (1 - poisson));
