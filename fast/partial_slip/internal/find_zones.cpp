@@ -147,8 +147,8 @@ Zones with_missing_zones(Zones zones, const std::vector<WrongPart>& parts, const
   return zones;
 }
 
-/// How a contact is solved from zones that are far from right. Few unknowns make Newton's steps fast, but do not resolve
-/// zones that only a better accuracy shows; all unknowns take fifty times as long.
+/// How a contact is solved from zones that are far from right. Few unknowns make Newton's steps fast, but do not
+/// resolve zones that only a better accuracy shows; all unknowns take fifty times as long.
 enum class Start { few_unknowns, all_unknowns };
 
 double nats_at(Start start, const PartialSlipTask& task, double nats) {

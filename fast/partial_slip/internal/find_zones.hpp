@@ -7,16 +7,16 @@
 namespace nipref::fast {
 
 /// The contact that meets the conditions of stick and slip, or nothing if none is found. The search starts from the
-/// guesses of plain_zones.hpp and finds the boundaries of these zones by Newton's method. It adds a zone wherever shear
-/// in a zone of stick is larger than friction or slip has the direction of the shear, until there is no such place.
-/// `nats`: as for ZoneMesh, at least rough_nats; a zone of slip at an end that is shorter than e^-nats of its neighbour is
-/// left out.
+/// guesses of plain_zones.hpp and finds the boundaries of these zones by Newton's method. It adds a zone wherever
+/// shear in a zone of stick is larger than friction or slip has the direction of the shear, until there is no such
+/// place. `nats`: as for ZoneMesh, at least rough_nats; a zone of slip at an end that is shorter than e^-nats of its
+/// neighbour is left out.
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats);
 /// This search from a contact that is nearly right.
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneContact& near, double nats);
 
-/// The least accuracy with which zones are sought. With fewer nats, zones next to much shorter ones are not found, and with
-/// little friction the errors of pressures, which are like e^(-0.9 nats), are larger than shears.
+/// The least accuracy with which zones are sought. With fewer nats, zones next to much shorter ones are not found, and
+/// with little friction the errors of pressures, which are like e^(-0.9 nats), are larger than shears.
 double rough_nats(double friction);
 
 /// How much each sample of a contact violates its condition, 0 if not at all. In zones of stick: the shear beyond

@@ -68,9 +68,9 @@ class Elements {
   /// The place where an element begins and the one before it ends.
   [[nodiscard]] double edge(int element) const { return edges_(element); }
 
-  /// The zones if friction is so little that the sheet sticks in short zones alone, where slip turns around. Elements then
-  /// have a mean of both signs. The signs determine the shears, these the slip, and this the signs. Nothing if this does
-  /// not end or zones of stick are not short.
+  /// The zones if friction is so little that the sheet sticks in short zones alone, where slip turns around. Elements
+  /// then have a mean of both signs. The signs determine the shears, these the slip, and this the signs. Nothing if
+  /// this does not end or zones of stick are not short.
   std::optional<Zones> slipping() {
     constexpr int most_changes = 10;
     constexpr double tolerance = 1e-6;

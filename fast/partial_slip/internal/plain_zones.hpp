@@ -12,8 +12,8 @@ namespace nipref::fast {
 /// does not end.
 std::optional<Zones> plain_zones(const PartialSlipTask& task, int elements);
 
-/// The same for so little friction that the sheet slips nearly everywhere and sticks in short zones alone, where slip turns
-/// around. Nothing for more friction.
+/// The same for so little friction that the sheet slips nearly everywhere and sticks in short zones alone, where slip
+/// turns around. Nothing for more friction.
 std::optional<Zones> slipping_zones(const PartialSlipTask& task, int elements);
 
 /// The length of the task, or the length without friction of its load.

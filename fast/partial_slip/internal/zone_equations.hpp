@@ -44,10 +44,10 @@ class ZoneEquations {
     Eigen::ArrayXd normal, along;
   };
   [[nodiscard]] Misfits misfits() const;
-  /// The rounding errors of the zones' ends, as distances from the leading end: |E J^-1| times the sizes of the equations'
-  /// terms, times 2^-53 for each operation in a term: four for a weight, two for a traction, five for a kernel, and their
-  /// product. J, the derivatives with respect to all unknowns and the logarithms of the zones' lengths, is that of Newton's
-  /// last steps. E has the derivatives of the ends with respect to all these.
+  /// The rounding errors of the zones' ends, as distances from the leading end: |E J^-1| times the sizes of the
+  /// equations' terms, times 2^-53 for each operation in a term: four for a weight, two for a traction, five for a
+  /// kernel, and their product. J, the derivatives with respect to all unknowns and the logarithms of the zones'
+  /// lengths, is that of Newton's last steps. E has the derivatives of the ends with respect to all these.
   [[nodiscard]] Eigen::VectorXd rounding_of_ends() const;
   [[nodiscard]] Eigen::ArrayXd places(const auto& points) const {
     return Eigen::ArrayXd::NullaryExpr(static_cast<Index>(points.size()), [&](Index i) {
