@@ -338,7 +338,7 @@ PartialSlipNip partial_slip(const data::PartialSlipNip& nip, const ContactUnits&
   if (!found) refuse_drive(nip, units.load * (task.load ? *task.load : load_guess(*task.length / 2)));
   std::vector<ZoneContact> known{*found};
   std::optional<Solutions> solutions;
-  // If zones are missing, better accuracies may show them.
+  // While the whole misses its accuracy because zones are missing, better accuracies may show them.
   constexpr int most_accuracies = 3;
   for (int number = 0; number < most_accuracies; ++number, nats += nats_apart) {
     if (solutions && (nats > most_nats || !solutions->lack_zones() || solutions->relative < accuracy)) break;

@@ -216,6 +216,7 @@ ZoneContact corrected(const PartialSlipTask& task, ZoneContact contact, Start st
 std::optional<ZoneContact> found_by_elements(const PartialSlipTask& task, double nats) {
   std::optional<ZoneContact> best;
   double least_excess = infinity;
+  // Corrects a contact, keeps it if it is the best so far, and tells whether the best is right.
   const auto is_right = [&](std::optional<ZoneContact> contact, Start start) {
     if (!contact) return false;
     contact = corrected(task, *std::move(contact), start);
@@ -238,11 +239,12 @@ std::optional<ZoneContact> found_by_elements(const PartialSlipTask& task, double
     if (!zones) break;
     if (is_found_from(*zones)) return best;
   }
-  for (const int elements : {60, 120, 240})
-    if (auto zones = plain_zones(task, elements)) {
-      separate_slips(*zones, usual_part);
-      if (is_found_from(*zones)) return best;
-    }
+  for (const int elements : {60, 120, 240}) {
+    auto zones = plain_zones(task, elements);
+    if (!zones) continue;
+    separate_slips(*zones, usual_part);
+    if (is_found_from(*zones)) return best;
+  }
   // Elements do not show zones next to the trailing end that are much shorter than they are.
   const Zones sticking{{length_guess(task), 0}};
   if (sticks_everywhere(task, sticking) && is_found_from(sticking)) return best;

@@ -71,8 +71,8 @@ ZoneEquations::Forces ZoneEquations::forces() const {
 std::shared_ptr<const ZoneEquations::Kernels> ZoneEquations::kernels() const {
   Eigen::MatrixXd cauchy = mesh_.distances();
   cauchy = (-pi * cauchy).cwiseInverse();
-  const SlopeKernels rest(length(), places(mesh_.midpoints()), places(mesh_.nodes()));
-  return std::make_shared<const Kernels>(std::move(cauchy), rest);
+  return std::make_shared<const Kernels>(
+      Kernels{std::move(cauchy), {length(), places(mesh_.midpoints()), places(mesh_.nodes())}});
 }
 
 ZoneEquations::Misfits ZoneEquations::misfits() const {

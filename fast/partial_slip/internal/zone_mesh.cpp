@@ -85,8 +85,8 @@ ZoneMesh::PanelEnd ZoneMesh::end(std::size_t panel, bool is_right, const Partial
 
 ZoneMesh::TractionEnd ZoneMesh::traction_end(double first, double second, double third, double reach) const {
   // In the last node the envelope is e^(-0.2 nats) or more. Next to a boundary where slip turns into stick this is
-  // t^(1/2), and the error of the interpolation is that of a boundary which is wrong by e^-nats. A smaller envelope would
-  // carry errors of the tractions there to the other nodes.
+  // t^(1/2), and the error of the interpolation is that of a boundary which is wrong by e^-nats. A smaller envelope
+  // would carry errors of the tractions there to the other nodes.
   const double least = std::min({first, second, third}),
                of_envelope = std::min(least, 0.2 * smooth_nats() / reach);
   return {least, of_envelope, Tail(Eigen::Array3d(first, second, third) - of_envelope, step_)};

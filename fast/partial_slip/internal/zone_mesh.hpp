@@ -139,8 +139,8 @@ class ZoneMesh {
                                   const PartialSlipTask& task) const;
   /// A traction with these powers of t, whose last node with an unknown is at |s| = reach.
   [[nodiscard]] TractionEnd traction_end(double first, double second, double third, double reach) const;
-  /// In nodes nearer to a boundary where slip turns into stick than those for so many nats rounding errors would hide the
-  /// power of t that determines its place.
+  /// In nodes nearer to a boundary where slip turns into stick than those for so many nats rounding errors would hide
+  /// the power of t that determines its place.
   [[nodiscard]] double smooth_nats() const { return std::min(nats_, 26.0); }
   void number_unknowns();
   void add_points(const Panel& panel, int index);
