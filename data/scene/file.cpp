@@ -10,18 +10,18 @@ namespace {
 
 constexpr std::size_t longest_scene = std::size_t{1} << 20;  ///< bytes
 
-ElasticNip read_nip(const TomlTable& file) {
-  const TomlTable roller = file.table("roller");
-  const TomlTable sheet = file.table("sheet");
-  const TomlTable material = file.table("material", "elastic-solid");
+ElasticNip read_nip(const SceneTable& file) {
+  const SceneTable roller = file.table("roller");
+  const SceneTable sheet = file.table("sheet");
+  const SceneTable material = file.table("material", "elastic-solid");
   return {roller.number("radius"),
           sheet.number("thickness"),
           {material.number("young"), material.number("poisson")}};
 }
 
-Given read_given(const TomlTable& file, const SceneOrigin& origin) {
+Given read_given(const SceneTable& file, const SceneOrigin& origin) {
   if (file.has("contact")) {
-    const TomlTable contact = file.table("contact");
+    const SceneTable contact = file.table("contact");
     if (file.has("load"))
       origin.refuse("contact", "(beside load)", "must be left out, or load: one of the two");
     return GivenLength{contact.number("length")};
@@ -33,34 +33,34 @@ Given read_given(const TomlTable& file, const SceneOrigin& origin) {
 }
 
 /// Whether the method is the converged one, which has no other keys.
-bool is_converged(const TomlTable& method) {
+bool is_converged(const SceneTable& method) {
   if (method.choice("kind") != "converged") return false;
   method.allow();
   return true;
 }
 
-std::variant<ConvergedMethod, LineLoads> read_method(const TomlTable& method) {
+std::variant<ConvergedMethod, LineLoads> read_method(const SceneTable& method) {
   if (is_converged(method)) return ConvergedMethod{};
   method.allow("elastic-line-loads");
   return LineLoads{method.whole("leading_elements"), method.whole("trailing_elements"),
                    method.has("residue_terms") ? method.whole("residue_terms") : 0};
 }
 
-Drive read_drive(const TomlTable& traction, const SceneOrigin& origin) {
+Drive read_drive(const SceneTable& traction, const SceneOrigin& origin) {
   if (traction.has("force_per_length") == traction.has("creep_ratio"))
     origin.refuse("traction", "(its keys)", "must have force_per_length or creep_ratio, one of the two");
   if (traction.has("creep_ratio")) return GivenCreep{traction.number("creep_ratio")};
   return GivenTraction{traction.number("force_per_length")};
 }
 
-void read_places(auto& problem, const TomlTable& file, const SceneOrigin& origin) {
+void read_places(auto& problem, const SceneTable& file, const SceneOrigin& origin) {
   if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin);
   if constexpr (requires { problem.field; })
     if (file.has("field")) problem.field = read_field(file.table("field"));
 }
 
-PartialSlipProblem read_partial_slip(const TomlTable& file, const SceneOrigin& origin) {
-  const TomlTable friction = file.table("friction", "partial-slip");
+PartialSlipProblem read_partial_slip(const SceneTable& file, const SceneOrigin& origin) {
+  const SceneTable friction = file.table("friction", "partial-slip");
   PartialSlipProblem problem{.nip = {read_nip(file), friction.number("coefficient"),
                                      read_drive(file.table("traction", "partial-slip"), origin)},
                              .given = read_given(file, origin)};
@@ -70,9 +70,9 @@ PartialSlipProblem read_partial_slip(const TomlTable& file, const SceneOrigin& o
   return problem;
 }
 
-ElasticNipProblem read_elastic_nip(const TomlTable& file, const SceneOrigin& origin) {
+ElasticNipProblem read_elastic_nip(const SceneTable& file, const SceneOrigin& origin) {
   ElasticNipProblem problem{.nip = read_nip(file), .given = read_given(file, origin)};
-  const TomlTable friction = file.table("friction", "elastic-nip");
+  const SceneTable friction = file.table("friction", "elastic-nip");
   if (friction.choice("model") == "full") problem.friction = Friction::full;
   if (friction.has("creep_ratio")) problem.creep_ratio = friction.number("creep_ratio");
   problem.method = read_method(file.any_table("method"));
@@ -80,7 +80,7 @@ ElasticNipProblem read_elastic_nip(const TomlTable& file, const SceneOrigin& ori
   return problem;
 }
 
-std::variant<ConvergedMethod, ViscoelasticLineLoads> read_viscoelastic_method(const TomlTable& method) {
+std::variant<ConvergedMethod, ViscoelasticLineLoads> read_viscoelastic_method(const SceneTable& method) {
   if (is_converged(method)) return ConvergedMethod{};
   method.allow("rolling-line-loads");
   ViscoelasticLineLoads loads{.leading_elements = method.whole("leading_elements"),
@@ -91,10 +91,10 @@ std::variant<ConvergedMethod, ViscoelasticLineLoads> read_viscoelastic_method(co
   return loads;
 }
 
-ViscoelasticNipProblem read_viscoelastic_nip(const TomlTable& file, const SceneOrigin& origin) {
-  const TomlTable roller = file.table("roller");
-  const TomlTable sheet = file.table("sheet");
-  const TomlTable rolling = file.table("rolling");
+ViscoelasticNipProblem read_viscoelastic_nip(const SceneTable& file, const SceneOrigin& origin) {
+  const SceneTable roller = file.table("roller");
+  const SceneTable sheet = file.table("sheet");
+  const SceneTable rolling = file.table("rolling");
   ViscoelasticNipProblem problem{
       .nip = {roller.number("radius"), sheet.number("thickness"),
               read_viscoelastic_material(file.any_table("material"), origin), rolling.number("speed")},
@@ -109,7 +109,7 @@ ViscoelasticNipProblem read_viscoelastic_nip(const TomlTable& file, const SceneO
 }
 
 /// A rolling sheet is solved as a viscoelastic one, also if its material is elastic.
-decltype(Scene::system) read_system(const TomlTable& file, const SceneOrigin& origin) {
+decltype(Scene::system) read_system(const SceneTable& file, const SceneOrigin& origin) {
   file.allow();
   if (file.has("half_space")) return read_half_space_problem(file, origin);
   const bool is_elastic = material_model(file.any_table("material")) == "elastic";
@@ -136,7 +136,7 @@ std::string closest_example(const std::string& name, const std::filesystem::path
 }
 
 /// Refuses the keys of a sweep that have no override: only with one value for each key the scene is a single contact.
-void refuse_what_is_swept(const TomlTable& top, const SceneOrigin& origin, const SceneOverrides& overrides) {
+void refuse_what_is_swept(const SceneTable& top, const SceneOrigin& origin, const SceneOverrides& overrides) {
   for (const auto& [key, values] : read_sweep(top, origin).keys) {
     if (std::ranges::find(overrides, key, &SceneOverrides::value_type::first) == overrides.end())
       origin.refuse("sweep." + key, values,
@@ -145,7 +145,7 @@ void refuse_what_is_swept(const TomlTable& top, const SceneOrigin& origin, const
 }
 
 /// Makes the scene of a whole file; `origin` is that of the table.
-Scene scene_of(const TomlTable& top, SceneOrigin& origin, const SceneOverrides& overrides) {
+Scene scene_of(const SceneTable& top, SceneOrigin& origin, const SceneOverrides& overrides) {
   refuse_what_is_swept(top, origin, overrides);
   const std::vector<std::string> wanted = top.texts("wanted");
   Scene scene{.title = top.text("title"), .wanted = {}, .system = read_system(top, origin), .origin = {}};
@@ -171,7 +171,7 @@ SceneText read_scene(const std::filesystem::path& file) {
 
 Scene load_scene(const SceneText& given, const SceneOverrides& overrides) {
   SceneOrigin origin(given.name);
-  return scene_of(TomlTable::parse(given.toml, origin, overrides), origin, overrides);
+  return scene_of(SceneTable::parse(given.toml, origin, overrides), origin, overrides);
 }
 
 Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides) {

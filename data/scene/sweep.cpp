@@ -4,7 +4,7 @@ namespace nipref::data {
 namespace {
 
 /// Reads the keys of [sweep] or of a table in it. `above`: what stands before the keys, "load." or nothing.
-void read_keys(const TomlTable& table, const std::string& above, SceneSweep& sweep) {
+void read_keys(const SceneTable& table, const std::string& above, SceneSweep& sweep) {
   for (const std::string& key : table.keys()) {
     if (above.empty() && key == "points") {
       sweep.points = table.whole(key);
@@ -18,7 +18,7 @@ void read_keys(const TomlTable& table, const std::string& above, SceneSweep& swe
 
 }  // namespace
 
-SceneSweep read_sweep(const TomlTable& file, const SceneOrigin& origin) {
+SceneSweep read_sweep(const SceneTable& file, const SceneOrigin& origin) {
   SceneSweep sweep;
   if (file.has("sweep")) read_keys(file.any_table("sweep"), "", sweep);
   if (sweep.points) origin.check_domain("sweep.points", *sweep.points);
@@ -27,7 +27,7 @@ SceneSweep read_sweep(const TomlTable& file, const SceneOrigin& origin) {
 
 SceneSweep scene_sweep(const SceneText& scene) {
   SceneOrigin origin(scene.name);
-  return read_sweep(TomlTable::parse(scene.toml, origin, {}), origin);
+  return read_sweep(SceneTable::parse(scene.toml, origin, {}), origin);
 }
 
 }  // namespace nipref::data

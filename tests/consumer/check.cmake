@@ -195,7 +195,7 @@ if(shared)
   expect("typeinfo for nipref::data::BadInput")
   expect(" nipref_fast_I1")
   expect_not("\n[0-9a-f]* [A-Za-z] (nipref::[a-z]+::internal|fmt|Eigen|boost|std|toml)::[^\n]*")
-  expect_not("nipref::data::TomlTable")  # it is in an internal folder
+  expect_not("nipref::data::SceneTable")  # it is in an internal folder
   find_program(python NAMES python3)
   if(python AND NOT sanitize)
     run(${python} ${source}/fast_alone/from_python.py ${library})

@@ -13,12 +13,12 @@ bool rolls(const HalfSpaceProblem& problem) {
   return std::holds_alternative<RigidRollingSphere>(problem.body);
 }
 
-IsotropicSolid read_isotropic(const TomlTable& table) {
+IsotropicSolid read_isotropic(const SceneTable& table) {
   return {table.number("shear"), table.number("poisson"), table.number("density")};
 }
 
 /// Reads the stiffness, given by the upper triangle of its matrix in Voigt notation, row by row.
-Stiffness read_stiffness(const TomlTable& table, const SceneOrigin& origin) {
+Stiffness read_stiffness(const SceneTable& table, const SceneOrigin& origin) {
   table.allow("anisotropic");
   const std::vector<double> upper = table.numbers("stiffness");
   if (upper.size() != upper_triangle.size()) {
@@ -30,7 +30,7 @@ Stiffness read_stiffness(const TomlTable& table, const SceneOrigin& origin) {
   return solid;
 }
 
-HalfSpace read_half_space(const TomlTable& table, const SceneOrigin& origin) {
+HalfSpace read_half_space(const SceneTable& table, const SceneOrigin& origin) {
   const std::string model = table.choice("model");
   if (model == "isotropic") {
     table.allow("isotropic");
@@ -44,36 +44,36 @@ HalfSpace read_half_space(const TomlTable& table, const SceneOrigin& origin) {
                                    is_normal ? SymmetryAxis::normal : SymmetryAxis::in_plane};
 }
 
-Body read_body(const TomlTable& file, const SceneOrigin& origin) {
+Body read_body(const SceneTable& file, const SceneOrigin& origin) {
   const bool bodies[] = {file.has("die"), file.has("rolling_sphere"), file.has("sphere")};
   if (std::ranges::count(bodies, true) != 1) {
     origin.refuse("die", file.has("die") ? "(beside another body)" : "(missing)",
                   "there must be one of die, rolling_sphere and sphere");
   }
   if (file.has("die")) {
-    const TomlTable die = file.table("die");
+    const SceneTable die = file.table("die");
     return RigidDie{die.number("radius_along"), die.number("radius_across")};
   }
   if (file.has("rolling_sphere")) {
     return RigidRollingSphere{file.table("rolling_sphere").number("radius")};
   }
-  const TomlTable sphere = file.table("sphere");
+  const SceneTable sphere = file.table("sphere");
   const bool moving = sphere.has("patch") && sphere.choice("patch") == "moving";
   return ElasticSphere{sphere.number("radius"), read_isotropic(sphere), moving};
 }
 
-void read_motion(const TomlTable& file, HalfSpaceProblem& problem) {
+void read_motion(const SceneTable& file, HalfSpaceProblem& problem) {
   if (rolls(problem)) {
     problem.speed = file.table("rolling").number("speed");
     return;
   }
-  const TomlTable sliding = file.table("sliding");
+  const SceneTable sliding = file.table("sliding");
   problem.speed = sliding.number("speed");
   if (sliding.has("direction")) problem.direction = sliding.number("direction");
   if (sliding.has("friction")) problem.friction = sliding.number("friction");
 }
 
-void read_given(const TomlTable& file, const SceneOrigin& origin, HalfSpaceProblem& problem) {
+void read_given(const SceneTable& file, const SceneOrigin& origin, HalfSpaceProblem& problem) {
   if (file.has("load") == file.has("contact")) {
     origin.refuse("load", file.has("load") ? "(beside contact)" : "(missing)",
                   "there must be either [load] normal_force or [contact] span_along");
@@ -85,7 +85,7 @@ void read_given(const TomlTable& file, const SceneOrigin& origin, HalfSpaceProbl
   }
 }
 
-ContourRule read_rule(const TomlTable& method) {
+ContourRule read_rule(const SceneTable& method) {
   const std::string kind = method.choice("kind");
   if (kind == "exact") return ContourRule::exact;
   return kind == "similar-contour" ? ContourRule::similar_contour : ContourRule::stationary_force;
@@ -141,7 +141,7 @@ void check_rolling(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
 
 }  // namespace
 
-HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigin& origin) {
+HalfSpaceProblem read_half_space_problem(const SceneTable& file, const SceneOrigin& origin) {
   HalfSpaceProblem problem{.body = read_body(file, origin),
                            .half_space = read_half_space(file.any_table("half_space"), origin),
                            .given = {}};
@@ -149,7 +149,7 @@ HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigi
   read_given(file, origin, problem);
   problem.rule = read_rule(file.table("method"));
   if (file.has("profile")) {
-    const TomlTable profile = file.table("profile");
+    const SceneTable profile = file.table("profile");
     problem.profile = read_profile(profile, origin);
     if (profile.has("direction")) problem.line = profile.number("direction");
     if (profile.has("depth")) problem.depth = profile.number("depth");

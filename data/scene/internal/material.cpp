@@ -9,14 +9,14 @@ namespace {
 /// Makes the material of the numbers that were read. The caller adds the place in the file to what the model refuses.
 using Build = std::function<ViscoelasticMaterial()>;
 
-Build read_elastic(const TomlTable& material) {
+Build read_elastic(const SceneTable& material) {
   material.allow("elastic-solid");
   const ElasticMaterial elastic{material.number("young"), material.number("poisson")};
   return [=] { return elastic_solid(elastic); };
 }
 
 /// The solid is given by its one relaxation time or by all six constants.
-Build read_standard_linear(const TomlTable& material) {
+Build read_standard_linear(const SceneTable& material) {
   if (material.has("relaxation_time")) {
     material.allow("one-relaxation-time");
     const double bulk = material.number("bulk"), shear = material.number("shear");
@@ -30,7 +30,7 @@ Build read_standard_linear(const TomlTable& material) {
   return [=] { return standard_linear_solid(solid); };
 }
 
-Build read_thesis_misprint(const TomlTable& material) {
+Build read_thesis_misprint(const SceneTable& material) {
   material.allow("one-relaxation-time");
   const double bulk = material.number("bulk");
   const double shear = material.has("shear") ? material.number("shear") : thesis_shear_over_bulk * bulk;
@@ -38,26 +38,26 @@ Build read_thesis_misprint(const TomlTable& material) {
   return [=] { return single_relaxation_time_solid(bulk, shear, relaxation_time, misprinted_rate_factor); };
 }
 
-PronyList read_prony_list(const TomlTable& material, const std::string& name) {
+PronyList read_prony_list(const SceneTable& material, const std::string& name) {
   return {material.number(name + "_instantaneous"), material.numbers(name + "_amplitudes"),
           material.numbers(name + "_rates")};
 }
 
-Build read_prony(const TomlTable& material) {
+Build read_prony(const SceneTable& material) {
   material.allow("prony");
   return [theta1 = read_prony_list(material, "theta1"), theta2 = read_prony_list(material, "theta2")] {
     return prony_solid(theta1, theta2);
   };
 }
 
-Build read_operators(const TomlTable& material) {
+Build read_operators(const SceneTable& material) {
   material.allow("operators");
   const DifferentialOperators operators{material.numbers("P"), material.numbers("Q"),
                                         material.numbers("P_dilatation"), material.numbers("Q_dilatation")};
   return [=] { return operator_solid(operators); };
 }
 
-Build read_model(const TomlTable& material) {
+Build read_model(const SceneTable& material) {
   const std::string model = material_model(material);
   if (model == "elastic") return read_elastic(material);
   if (model == "standard-linear-solid") return read_standard_linear(material);
@@ -68,9 +68,9 @@ Build read_model(const TomlTable& material) {
 
 }  // namespace
 
-std::string material_model(const TomlTable& material) { return material.choice("model"); }
+std::string material_model(const SceneTable& material) { return material.choice("model"); }
 
-ViscoelasticMaterial read_viscoelastic_material(const TomlTable& material, const SceneOrigin& origin) {
+ViscoelasticMaterial read_viscoelastic_material(const SceneTable& material, const SceneOrigin& origin) {
   const Build build = read_model(material);
   try {
     return build();

@@ -4,7 +4,7 @@
 
 namespace nipref::data {
 
-Profile read_profile(const TomlTable& profile, const SceneOrigin& origin) {
+Profile read_profile(const SceneTable& profile, const SceneOrigin& origin) {
   if (profile.has("points") == profile.has("positions")) {
     origin.refuse("profile", profile.has("points") ? "(points and positions)" : "(empty)",
                   "must hold points or positions, one of the two");
@@ -24,7 +24,7 @@ void check_profile(const Profile& profile, const SceneOrigin& origin) {
   origin.check_domain("profile.positions", positions);
 }
 
-FieldPlaces read_field(const TomlTable& field) {
+FieldPlaces read_field(const SceneTable& field) {
   return {field.numbers("positions"), field.numbers("depths")};
 }
 

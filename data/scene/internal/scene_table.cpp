@@ -1,4 +1,4 @@
-#include <nipref/data/scene/internal/toml_table.hpp>
+#include <nipref/data/scene/internal/scene_table.hpp>
 
 // All of toml++ is compiled here, for verify too.
 #define TOML_HEADER_ONLY 0
@@ -11,7 +11,7 @@
 
 namespace nipref::data {
 
-struct TomlTable::Contents {
+struct SceneTable::Contents {
   std::shared_ptr<const toml::table> file;  ///< owns all tables
   const toml::table* table;
 
@@ -21,7 +21,7 @@ struct TomlTable::Contents {
 };
 
 /// A value with the key that refusals name.
-struct TomlTable::Item {
+struct SceneTable::Item {
   const toml::node* node;
   std::string name;
   std::string_view allowed;  ///< says which type is wanted
@@ -39,7 +39,7 @@ struct TomlTable::Item {
   [[nodiscard]] std::string shown() const;
 };
 
-std::string TomlTable::Item::shown() const {
+std::string SceneTable::Item::shown() const {
   if (node->is_table()) return "(a table)";
   if (node->is_array()) return "(a list)";
   std::ostringstream text;
@@ -129,11 +129,11 @@ void override_all(toml::table& file, const std::vector<Override>& overrides, Sce
 
 }  // namespace
 
-TomlTable::TomlTable(std::shared_ptr<const Contents> contents, std::string name, SceneOrigin& origin)
+SceneTable::SceneTable(std::shared_ptr<const Contents> contents, std::string name, SceneOrigin& origin)
     : contents_(std::move(contents)), name_(std::move(name)), origin_(&origin) {}
 
-TomlTable TomlTable::parse(const std::string& text, SceneOrigin& origin,
-                           const std::vector<Override>& overrides) {
+SceneTable SceneTable::parse(const std::string& text, SceneOrigin& origin,
+                             const std::vector<Override>& overrides) {
   if (text.find('\0') != std::string::npos)
     origin.refuse("syntax", "(binary)", "must be text: this has zero bytes");
   if (const auto obstacle = toml_obstacle(text))
@@ -149,11 +149,11 @@ TomlTable TomlTable::parse(const std::string& text, SceneOrigin& origin,
   }
 }
 
-std::string TomlTable::full_name(std::string_view key) const {
+std::string SceneTable::full_name(std::string_view key) const {
   return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
 }
 
-void TomlTable::allow(std::string_view model) const {
+void SceneTable::allow(std::string_view model) const {
   const std::vector<std::string_view> known = names_in_table(name_, contents_->kind(), model);
   for (const auto& [key, node] : *contents_->table) {
     if (std::ranges::find(known, key.str()) != known.end()) continue;
@@ -166,19 +166,19 @@ void TomlTable::allow(std::string_view model) const {
   }
 }
 
-bool TomlTable::has(std::string_view key) const { return contents_->table->contains(key); }
+bool SceneTable::has(std::string_view key) const { return contents_->table->contains(key); }
 
-bool TomlTable::has_table(std::string_view key) const {
+bool SceneTable::has_table(std::string_view key) const {
   return has(key) && contents_->table->get(key)->is_table();
 }
 
-std::vector<std::string> TomlTable::keys() const {
+std::vector<std::string> SceneTable::keys() const {
   std::vector<std::string> keys;
   for (const auto& [key, node] : *contents_->table) keys.emplace_back(key.str());
   return keys;
 }
 
-TomlTable::Item TomlTable::item(std::string_view key, std::string_view allowed) const {
+SceneTable::Item SceneTable::item(std::string_view key, std::string_view allowed) const {
   const auto found = contents_->table->find(key);
   const std::string name = full_name(key);
   if (found == contents_->table->end()) origin_->refuse(name, "(missing)", allowed);
@@ -186,7 +186,7 @@ TomlTable::Item TomlTable::item(std::string_view key, std::string_view allowed) 
   return {&found->second, name, allowed, origin_};
 }
 
-std::vector<TomlTable::Item> TomlTable::items(std::string_view key, std::string_view allowed) const {
+std::vector<SceneTable::Item> SceneTable::items(std::string_view key, std::string_view allowed) const {
   const Item whole = item(key, allowed);
   const toml::array* const array = whole.node->as_array();
   if (array == nullptr) whole.refuse();
@@ -199,34 +199,34 @@ std::vector<TomlTable::Item> TomlTable::items(std::string_view key, std::string_
   return elements;
 }
 
-TomlTable TomlTable::any_table(std::string_view key) const {
+SceneTable SceneTable::any_table(std::string_view key) const {
   const Item found = item(key, "must be a table");
   const toml::table* const inner = found.node->as_table();
   if (inner == nullptr) found.refuse();
   return {std::make_shared<const Contents>(Contents{contents_->file, inner}), found.name, *origin_};
 }
 
-TomlTable TomlTable::table(std::string_view key, std::string_view model) const {
-  TomlTable inner = any_table(key);
+SceneTable SceneTable::table(std::string_view key, std::string_view model) const {
+  SceneTable inner = any_table(key);
   inner.allow(model);
   return inner;
 }
 
-std::string_view TomlTable::allowed_type(std::string_view key, KeyType type) const {
+std::string_view SceneTable::allowed_type(std::string_view key, KeyType type) const {
   const SceneKey* const known = find_scene_key(full_name(key));
   if (known == nullptr || known->type != type) throw std::logic_error("another type in the table of keys");
   return known->allowed_type();
 }
 
-std::string TomlTable::text(std::string_view key) const {
+std::string SceneTable::text(std::string_view key) const {
   return item(key, allowed_type(key, KeyType::text)).as<std::string>();
 }
 
-double TomlTable::number(std::string_view key) const {
+double SceneTable::number(std::string_view key) const {
   return item(key, allowed_type(key, KeyType::number)).as<double>();
 }
 
-int TomlTable::whole(std::string_view key) const {
+int SceneTable::whole(std::string_view key) const {
   const Item found = item(key, allowed_type(key, KeyType::whole));
   if (!found.node->is_integer()) found.refuse();
   const std::optional<int> value = found.node->value<int>();  // empty if too large for int
@@ -234,21 +234,21 @@ int TomlTable::whole(std::string_view key) const {
   return *value;
 }
 
-std::vector<std::string> TomlTable::texts(std::string_view key) const {
+std::vector<std::string> SceneTable::texts(std::string_view key) const {
   std::vector<std::string> values;
   for (const Item& element : items(key, allowed_type(key, KeyType::texts)))
     values.push_back(element.as<std::string>());
   return values;
 }
 
-std::vector<double> TomlTable::numbers(std::string_view key) const {
+std::vector<double> SceneTable::numbers(std::string_view key) const {
   std::vector<double> values;
   for (const Item& element : items(key, allowed_type(key, KeyType::numbers)))
     values.push_back(element.as<double>());
   return values;
 }
 
-std::string TomlTable::text_or_list(std::string_view key) const {
+std::string SceneTable::text_or_list(std::string_view key) const {
   constexpr auto allowed =
       "must be a range in quotes, \"lo..hi:log\", or a list of numbers or of texts without commas";
   const Item whole = item(key, allowed);
@@ -264,7 +264,7 @@ std::string TomlTable::text_or_list(std::string_view key) const {
   return all;
 }
 
-std::string TomlTable::choice(std::string_view key) const {
+std::string SceneTable::choice(std::string_view key) const {
   const std::string chosen = item(key, allowed_type(key, KeyType::choice)).as<std::string>();
   const std::vector<std::string_view>& choices =
       find_scene_key(full_name(key))->choices_of(contents_->kind());

@@ -11,14 +11,14 @@
 
 namespace nipref::data {
 
-/// One table of a TOML file. `origin` gets the line of each value that is read and must outlive the table; every
-/// refusal (BadInput) names the line.
-class TomlTable {
+/// One table of a scene's TOML file. `origin` gets the line of each value that is read and must outlive the table;
+/// every refusal (BadInput) names the line.
+class SceneTable {
  public:
   /// The table of a whole file, with `overrides` (key, value) in place of the file's values. Refuses a text that is
   /// not TOML (keys given twice included), and the overrides that load_scene refuses.
-  static TomlTable parse(const std::string& text, SceneOrigin& origin,
-                         const std::vector<std::pair<std::string, std::string>>& overrides);
+  static SceneTable parse(const std::string& text, SceneOrigin& origin,
+                          const std::vector<std::pair<std::string, std::string>>& overrides);
 
   /// Refuses the keys that scene_keys() does not have for scenes of the file's kind with this model or method.
   void allow(std::string_view model = {}) const;
@@ -29,8 +29,8 @@ class TomlTable {
   [[nodiscard]] std::vector<std::string> keys() const;
   // The value of the key. It is refused if it is missing, or not of the type in scene_keys().
   /// table() refuses keys of the table as allow() does; any_table() does not.
-  [[nodiscard]] TomlTable table(std::string_view key, std::string_view model = {}) const;
-  [[nodiscard]] TomlTable any_table(std::string_view key) const;
+  [[nodiscard]] SceneTable table(std::string_view key, std::string_view model = {}) const;
+  [[nodiscard]] SceneTable any_table(std::string_view key) const;
   [[nodiscard]] std::string text(std::string_view key) const;
   [[nodiscard]] double number(std::string_view key) const;
   [[nodiscard]] int whole(std::string_view key) const;
@@ -47,7 +47,7 @@ class TomlTable {
  private:
   struct Contents;
   struct Item;
-  TomlTable(std::shared_ptr<const Contents> contents, std::string name, SceneOrigin& origin);
+  SceneTable(std::shared_ptr<const Contents> contents, std::string name, SceneOrigin& origin);
   [[nodiscard]] Item item(std::string_view key, std::string_view allowed) const;
   [[nodiscard]] std::string_view allowed_type(std::string_view key, KeyType type) const;
   [[nodiscard]] std::vector<Item> items(std::string_view key, std::string_view allowed) const;
