@@ -45,7 +45,7 @@ const Report& small_report() {
     small.hard_cases = {{"converged <full friction>", 30, 0.5, 40, {}, 0.01, 1e-8}};
     small.scenes.resize(1);
     small.scenes[0].numbers = 7;
-    small.scenes[0].worst.resize(1);
+    small.scenes[0].next_worst.clear();
     small.speed.rows = {timed("fast full", 7, 1e-16), timed("fast rtol=1e-03", 5, 1e-4),
                         timed("GSL QAWF", 1e4, 0), timed("Boost <ooura>", 1e5, 1e-9),
                         timed("no error", 3, {})};

@@ -90,15 +90,13 @@ struct SceneTally {
   ErrorTally overestimates = {};
   AuditedScene refusal = {}, failure = {};  ///< the first scene that is refused or fails, if there is one
   AuditedScene slowest = {};
-  /// The five scenes with the largest ratios of error to estimate, or all if there are fewer, the worst one first.
-  std::vector<AuditedScene> worst = {};
+  AuditedScene worst = {};                    ///< the scene with the largest ratio of error to estimate
+  std::vector<AuditedScene> next_worst = {};  ///< up to four others, those with the next largest ratios
 
   void add(const SceneTally& more);
   /// Counts and keeps a scene in a tally that is of this scene alone.
   void keep(const AuditedScene& scene);
-  [[nodiscard]] std::string_view kind() const {
-    return drawn_kinds()[worst.at(0).index % drawn_kinds().size()];
-  }
+  [[nodiscard]] std::string_view kind() const { return drawn_kinds()[worst.index % drawn_kinds().size()]; }
   [[nodiscard]] bool kept() const { return failed == 0 && uncovered == 0 && miss_unreported == 0; }
   [[nodiscard]] std::optional<double> median_overestimate() const;
   /// See stored.hpp; what depends on seconds is in "times".
@@ -106,7 +104,8 @@ struct SceneTally {
     each("scenes", self.scenes, "refused", self.refused, "failed", self.failed, "numbers", self.numbers,
          "unchecked", self.unchecked, "uncovered", self.uncovered, "miss_reported", self.miss_reported,
          "miss_unreported", self.miss_unreported, "overestimates", self.overestimates, "refusal",
-         self.refusal, "failure", self.failure, "worst", self.worst, "times", self.slowest);
+         self.refusal, "failure", self.failure, "worst", self.worst, "next_worst", self.next_worst, "times",
+         self.slowest);
   }
 };
 

@@ -8,7 +8,7 @@ constexpr std::array counts{&SceneTally::scenes,        &SceneTally::refused,   
                             &SceneTally::numbers,       &SceneTally::unchecked,      &SceneTally::uncovered,
                             &SceneTally::miss_reported, &SceneTally::miss_unreported};
 
-constexpr std::size_t most_worst = 5;
+constexpr std::size_t most_next_worst = 4;
 
 /// A scene that a tally keeps by itself: the one with the lowest index among those with the largest rank, if this rank
 /// is >= 0.
@@ -45,21 +45,27 @@ void SceneTally::keep(const AuditedScene& audited) {
   failed = audited.failed.empty() ? 0 : 1;
   for (const auto& [scene, rank] : kept_scenes)
     if (rank(audited) >= 0) this->*scene = audited;
-  worst = {audited};
+  worst = audited;
 }
 
 void SceneTally::add(const SceneTally& more) {
   if (more.scenes == 0) return;
+  if (scenes == 0) {
+    *this = more;
+    return;
+  }
   for (const auto& [scene, rank] : kept_scenes) {
     AuditedScene& kept = this->*scene;
     const AuditedScene& other = more.*scene;
-    if (scenes == 0 || rank(other) > rank(kept) || (rank(other) == rank(kept) && other.index < kept.index))
-      kept = other;
+    if (rank(other) > rank(kept) || (rank(other) == rank(kept) && other.index < kept.index)) kept = other;
   }
-  worst.insert(worst.end(), more.worst.begin(), more.worst.end());
-  std::ranges::sort(worst, {},
+  next_worst.insert(next_worst.end(), {worst, more.worst});
+  next_worst.insert(next_worst.end(), more.next_worst.begin(), more.next_worst.end());
+  std::ranges::sort(next_worst, {},
                     [](const AuditedScene& one) { return std::pair(-one.largest_ratio, one.index); });
-  if (worst.size() > most_worst) worst.resize(most_worst);
+  worst = next_worst.front();
+  next_worst.erase(next_worst.begin());
+  if (next_worst.size() > most_next_worst) next_worst.resize(most_next_worst);
   for (const auto count : counts) this->*count += more.*count;
   overestimates.add(more.overestimates);
 }
@@ -70,7 +76,7 @@ std::optional<double> SceneTally::median_overestimate() const {
 
 std::vector<SceneTally> summed(const std::vector<SceneTally>& tallies) {
   std::vector<SceneTally> sums(drawn_kinds().size());
-  for (const SceneTally& one : tallies) sums[one.worst.at(0).index % sums.size()].add(one);
+  for (const SceneTally& one : tallies) sums[one.worst.index % sums.size()].add(one);
   std::erase_if(sums, [](const SceneTally& one) { return one.scenes == 0; });
   return sums;
 }
@@ -106,11 +112,11 @@ Json scene_tally_json(const std::vector<SceneTally>& tallies) {
         {"miss_reported", tally.miss_reported},
         {"miss_unreported", tally.miss_unreported},
         {"median_overestimate", tally.median_overestimate()},
-        {"largest_error_over_estimate", tally.worst.at(0).largest_ratio},
-        {"worst", worst_json(tally.worst.at(0))},
-        {"next_worst", json_list(std::span(tally.worst).subspan(1), next_worst_json)},
+        {"largest_error_over_estimate", tally.worst.largest_ratio},
+        {"worst", worst_json(tally.worst)},
+        {"next_worst", json_list(tally.next_worst, next_worst_json)},
         {"passed", tally.kept()},
-        {"_uncovered", tally.worst.at(0).largest_ratio > 0},
+        {"_uncovered", tally.worst.largest_ratio > 0},
         {"times", {{"slowest_seconds", tally.slowest.seconds}, {"slowest_scene", tally.slowest.toml}}}};
   });
 }
