@@ -10,13 +10,15 @@ namespace nipref::data {
 /// Case A). (thesis chapter II, conditions (iii) and (iv))
 enum class Friction { none, full };
 
-/// The grip of line loads on an elastic sheet: no friction (the thesis's Case B), or no slip (Case A) with a creep
-/// ratio that is given, or chosen as in the thesis. The thesis chooses the creep ratio of least size for which no
-/// normal load is negative, the shear loads on one side of the nip have one sign, and the ratio of shear load to normal
-/// load does not fall outwards. (thesis 5.5)
-struct Grip {
-  enum class Creep { none, given, thesis } kind = Creep::none;
+/// The friction between line loads and an elastic sheet: none (the thesis's Case B), or full (Case A) with a creep ratio
+/// that is given, or chosen as in the thesis. The thesis chooses the creep ratio of least size for which no normal load
+/// is negative, the shear loads on one side of the nip have one sign, and the ratio of shear load to normal load does
+/// not fall outwards. (thesis 5.5)
+struct LineLoadFriction {
+  enum class Kind { none, given_creep, thesis_creep } kind = Kind::none;
   double creep = 0;  ///< the given creep ratio, finite
+
+  static constexpr LineLoadFriction full(double creep) { return {Kind::given_creep, creep}; }
 };
 
 /// An elastic sheet between two identical rigid cylinders, plane strain, any consistent units. (thesis

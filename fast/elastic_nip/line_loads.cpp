@@ -15,7 +15,7 @@
 namespace nipref::fast {
 namespace {
 
-using data::Grip;
+using data::LineLoadFriction;
 
 constexpr int most_elements = 10000;
 constexpr double widest_half_element = 300;  // in half-thicknesses; e^(-2.106 * 300) = 1e-274
@@ -162,9 +162,9 @@ std::vector<FaceLoad> both_sides(const data::ElasticNip& nip, int m, double widt
 
 /// The solved nip; nothing if the thesis's creep is wanted and there is none.
 std::optional<LineLoadNip> solved(const data::ElasticNip& nip, const LineLoadMethod& method,
-                                  double contact_length, const Grip& grip,
+                                  double contact_length, const LineLoadFriction& friction,
                                   const std::shared_ptr<Work>& work) {
-  const bool sticks = grip.kind != Grip::Creep::none;
+  const bool sticks = friction.kind != LineLoadFriction::Kind::none;
   const int m = method.elements_per_side;
   // The matrix comes first, because it throws BadInput outside the domain.
   const Eigen::MatrixXd matrix = matching_matrix(nip, method, contact_length, sticks, *work);
@@ -177,8 +177,8 @@ std::optional<LineLoadNip> solved(const data::ElasticNip& nip, const LineLoadMet
   if (sticks) {
     ranges = creep_ranges(unknowns, m);
     const auto chosen = thesis_creep(ranges);
-    if (grip.kind == Grip::Creep::thesis && !chosen) return std::nullopt;
-    creep = grip.kind == Grip::Creep::given ? grip.creep : chosen->chosen;
+    if (friction.kind == LineLoadFriction::Kind::thesis_creep && !chosen) return std::nullopt;
+    creep = friction.kind == LineLoadFriction::Kind::given_creep ? friction.creep : chosen->chosen;
     at_creep += *creep * unknowns.col(1);
   }
   return LineLoadNip{.roller_radius = nip.roller_radius,
@@ -238,22 +238,22 @@ std::optional<ThesisCreep> thesis_creep(std::span<const CreepRange> ranges) {
 }
 
 LineLoadNip line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
-                                  double contact_length, const Grip& grip) {
-  internal::check_finite("creep", grip.creep);
-  auto result = solved(nip, method, contact_length, grip, std::make_shared<Work>());
+                                  double contact_length, const LineLoadFriction& friction) {
+  internal::check_finite("creep", friction.creep);
+  auto result = solved(nip, method, contact_length, friction, std::make_shared<Work>());
   if (!result) refuse_without_creep("contact_length", contact_length);
   return *std::move(result);
 }
 
 LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
-                                const Grip& grip, const LoadSearch& search) {
+                                const LineLoadFriction& friction, const LoadSearch& search) {
   internal::check_positive("load", load);
-  internal::check_finite("creep", grip.creep);
+  internal::check_finite("creep", friction.creep);
   if (!(search.tolerance >= 1e-14 && search.tolerance <= 0.1))
     throw data::BadInput("tolerance", search.tolerance, "must satisfy 1e-14 <= tolerance <= 0.1");
   const auto work = std::make_shared<Work>();
   double trial = nip.sheet_thickness;
-  const bool sticks = grip.kind != Grip::Creep::none;
+  const bool sticks = friction.kind != LineLoadFriction::Kind::none;
   if (sticks) {
     const LineLoadNip frictionless = line_loads_for_load(nip, method, load, {}, {.tolerance = 1e-2});
     *work += frictionless.work();
@@ -263,7 +263,7 @@ LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMetho
       load, trial,
       {.tolerance = search.tolerance, .fixed_exponent = search.iteration == LoadSearch::Iteration::thesis});
   LineLoadNip result = solution_at_end(lengths, [&](double length) {
-    auto tried = solved(nip, method, length, grip, work);
+    auto tried = solved(nip, method, length, friction, work);
     if (!tried) refuse_without_creep("load", load);
     if (sticks && !(tried->load() > 0)) refuse_load(load);
     return *std::move(tried);

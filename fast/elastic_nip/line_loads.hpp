@@ -52,14 +52,14 @@ struct LoadSearch {
 /// the loads are nonsense; condition_number shows it. The loads are affine in the creep, so that the limits of its
 /// ranges are roots of linear and quadratic functions, found from one factorisation. (thesis 5.5-5.11)
 LineLoadNip line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
-                                  double contact_length, const data::Grip& grip = {});
+                                  double contact_length, const data::LineLoadFriction& friction = {});
 
 /// The line loads whose contact carries `load` per unit width, > 0 and finite; BadInput otherwise, or if the contact
 /// length would be out of its domain. With full friction the search starts from the length without friction; BadInput
 /// if the search leads to loads that are not positive (at a given creep the load need not rise with the length), or to
 /// a length without a creep that the thesis would choose.
 LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
-                                const data::Grip& grip = {}, const LoadSearch& search = {});
+                                const data::LineLoadFriction& friction = {}, const LoadSearch& search = {});
 
 /// The creep that the thesis chooses, the one of least magnitude in the ranges, and its range. The creep is an end of
 /// the range unless it is 0. (thesis, section 5.5, Figure 15)

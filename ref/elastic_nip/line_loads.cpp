@@ -17,7 +17,7 @@ namespace nipref::ref {
 namespace {
 
 using data::BadInput;
-using data::Grip;
+using data::LineLoadFriction;
 
 /// Extra digits of the kernels. A system that needs more of them counts as singular.
 constexpr ExtraDigits extra_kernel_digits{12, 400};
@@ -25,10 +25,10 @@ constexpr ExtraDigits extra_kernel_digits{12, 400};
 struct Problem {
   const data::ElasticNip& nip;
   LineLoadMethod method;
-  Grip grip;
+  LineLoadFriction friction;
   std::span<const double> given_I1 = {};  ///< values of I1 at odd multiples, if they are given
 
-  [[nodiscard]] bool sticks() const { return grip.kind != Grip::Creep::none; }
+  [[nodiscard]] bool sticks() const { return friction.kind != LineLoadFriction::Kind::none; }
   [[nodiscard]] int elements() const { return method.elements_per_side; }
 };
 
@@ -170,8 +170,8 @@ std::optional<SolvedLineLoads> solve(const Problem& problem, const Lengths& leng
   const std::vector<Interval> loads_at_zero(at_zero.begin() + 1, at_zero.end()),
       loads_per_creep(per_creep.begin() + 1, per_creep.end());
   std::optional<Interval> creep;
-  if (problem.grip.kind == Grip::Creep::given)
-    creep = Interval(problem.grip.creep, working_bits());
+  if (problem.friction.kind == LineLoadFriction::Kind::given_creep)
+    creep = Interval(problem.friction.creep, working_bits());
   else if (const auto chosen = thesis_creep(loads_at_zero, loads_per_creep))
     creep = chosen->chosen;
   if (!creep) return std::nullopt;
@@ -199,7 +199,8 @@ void check_digits_and_elements(const Problem& problem, int digits) {
     throw BadInput("residue_terms", std::to_string(terms),
                    "must be from 0 to " + std::to_string(most_residue_terms));
   if (digits < 16 || digits > 300) throw BadInput("digits", std::to_string(digits), "must be from 16 to 300");
-  if (!std::isfinite(problem.grip.creep)) throw BadInput("creep", problem.grip.creep, "must be finite");
+  if (!std::isfinite(problem.friction.creep))
+    throw BadInput("creep", problem.friction.creep, "must be finite");
 }
 
 /// In sheet thicknesses: no two places are farther apart than the reference's kernels reach, 1000 half-thicknesses.
@@ -221,20 +222,20 @@ std::optional<LineLoadNip> solution_of_length(const Problem& problem, double con
 }  // namespace
 
 LineLoadNip line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
-                                  double contact_length, int digits, const data::Grip& grip) {
-  const Problem problem{nip, method, grip};
+                                  double contact_length, int digits, const data::LineLoadFriction& friction) {
+  const Problem problem{nip, method, friction};
   check(problem, contact_length, digits);
   if (auto solution = solution_of_length(problem, contact_length, digits)) return *std::move(solution);
   throw BadInput("contact_length", contact_length,
-                 grip.kind == Grip::Creep::thesis
+                 friction.kind == LineLoadFriction::Kind::thesis_creep
                      ? "must be one for which some creep meets the thesis's conditions: or give a creep"
                      : "must be one whose system is farther from singular than the reference can tell");
 }
 
 LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
-                                int digits, const data::Grip& grip) {
+                                int digits, const data::LineLoadFriction& friction) {
   constexpr int starting_digits = 16, starting_tolerance = 3;  // without friction
-  const Problem problem{nip, method, grip}, frictionless{nip, method, {}};
+  const Problem problem{nip, method, friction}, frictionless{nip, method, {}};
   check_digits_and_elements(problem, digits);
   if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
   LengthSearch search{Exact(load), Float(nip.sheet_thickness), longest_length * Float(nip.sheet_thickness)};

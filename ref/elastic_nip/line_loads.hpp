@@ -23,12 +23,13 @@ struct LineLoadMethod {
 /// doubles are taken exactly. BadInput otherwise, and where no creep meets the thesis's conditions or the
 /// reference cannot tell. The bounds are those of number/internal/linear_algebra.hpp.
 LineLoadNip line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
-                                  double contact_length, int digits, const data::Grip& grip = {});
+                                  double contact_length, int digits,
+                                  const data::LineLoadFriction& friction = {});
 
 /// The same for a `load` per unit width, > 0 and finite. It is proven that some length within the bounds carries it,
 /// not that no other does: ref/elastic_nip/README.md. BadInput if none is found, for example if loads are not positive.
 LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
-                                int digits, const data::Grip& grip = {});
+                                int digits, const data::LineLoadFriction& friction = {});
 
 /// The contact without friction from given values I1((2q - 1) a/b), q = 1 .. 2m, taken exactly: what a solver that uses
 /// these values would find without rounding. The difference from that solver is its rounding error; the difference from

@@ -48,8 +48,8 @@ class LineLoadNip {
   /// (v(L1) - v(-L2))/L, dimensionless; with full friction the given or chosen creep ratio. (thesis 5.5, 5.16, 7.17)
   [[nodiscard]] Enclosure creep_ratio() const;
   /// With full friction: the creep ratio that the thesis chooses for this length, and the lowest and highest around it
-  /// that meet its conditions, see data::Grip. BadInput "contact_length" if there is none or the bounds do not tell.
-  /// (thesis, section 5.5, Figure 15)
+  /// that meet its conditions, see data::LineLoadFriction. BadInput "contact_length" if there is none or the bounds do
+  /// not tell. (thesis, section 5.5, Figure 15)
   [[nodiscard]] CreepRange creep_range() const;
   /// The borders Y >= 0, rising, between elements whose shear loads have opposite signs; the first is the middle. There
   /// are none without friction. A border covers the elements beside it whose signs the bounds do not tell.

@@ -10,8 +10,8 @@ inline constexpr data::ElasticNip quarter_inch_nip = data::seed::nip(0.25);
 inline constexpr data::ElasticNip middling_nip = data::seed::nip(0.0625);
 inline constexpr data::ElasticNip thin_nip = data::seed::nip(0.005);
 
-inline constexpr data::Grip thesis_grip{data::Grip::Creep::thesis};
-constexpr data::Grip grip_with(double creep) { return {data::Grip::Creep::given, creep}; }
+inline constexpr data::LineLoadFriction thesis_friction{data::LineLoadFriction::Kind::thesis_creep};
+constexpr data::LineLoadFriction full_friction(double creep) { return data::LineLoadFriction::full(creep); }
 
 /// A nip with the thesis's Young's modulus and another Poisson's ratio, thickness and radius.
 inline data::ElasticNip nip_of(double poisson, double sheet_thickness = 1, double roller_radius = 1e3) {

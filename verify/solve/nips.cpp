@@ -23,11 +23,10 @@ using data::PartialSlipProblem;
 using data::ViscoelasticNipProblem;
 using fast::Estimate;
 
-/// The grip of line loads on the sheet.
-data::Grip grip_of(const ElasticNipProblem& problem) {
+data::LineLoadFriction line_load_friction_of(const ElasticNipProblem& problem) {
   if (problem.friction == data::Friction::none) return {};
-  if (problem.creep_ratio) return {data::Grip::Creep::given, *problem.creep_ratio};
-  return {data::Grip::Creep::thesis};
+  if (problem.creep_ratio) return data::LineLoadFriction::full(*problem.creep_ratio);
+  return {data::LineLoadFriction::Kind::thesis_creep};
 }
 
 /// Calls for_load or for_length with the number that the scene gives.
@@ -58,10 +57,11 @@ auto solution(auto /*path*/, const PartialSlipProblem& problem, const ConvergedM
 
 auto solution(FastPath, const ElasticNipProblem& problem, const data::LineLoads& by, double accuracy) {
   const fast::LineLoadMethod method(by.leading_elements, by.residue_terms, fast::Accuracy(accuracy));
-  const data::Grip grip = grip_of(problem);
+  const data::LineLoadFriction friction = line_load_friction_of(problem);
   return for_given(
-      problem.given, [&](double load) { return fast::line_loads_for_load(problem.nip, method, load, grip); },
-      [&](double length) { return fast::line_loads_for_length(problem.nip, method, length, grip); });
+      problem.given,
+      [&](double load) { return fast::line_loads_for_load(problem.nip, method, load, friction); },
+      [&](double length) { return fast::line_loads_for_length(problem.nip, method, length, friction); });
 }
 auto solution(FastPath, const PartialSlipProblem& problem, const data::LineLoads& by, double /*accuracy*/) {
   return fast::line_loads_for_load(problem.nip, by.leading_elements,
@@ -81,11 +81,13 @@ auto solution(FastPath, const ViscoelasticNipProblem& problem, const data::Visco
 }
 auto solution(RefPath, const ElasticNipProblem& problem, const data::LineLoads& by, int digits) {
   const ref::LineLoadMethod method(by.leading_elements, by.residue_terms);
-  const data::Grip grip = grip_of(problem);
+  const data::LineLoadFriction friction = line_load_friction_of(problem);
   return for_given(
       problem.given,
-      [&](double load) { return ref::line_loads_for_load(problem.nip, method, load, digits, grip); },
-      [&](double length) { return ref::line_loads_for_length(problem.nip, method, length, digits, grip); });
+      [&](double load) { return ref::line_loads_for_load(problem.nip, method, load, digits, friction); },
+      [&](double length) {
+        return ref::line_loads_for_length(problem.nip, method, length, digits, friction);
+      });
 }
 auto solution(RefPath, const ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& method,
               int digits) {

@@ -10,7 +10,7 @@
 
 namespace nipref::ref {
 
-/// The creep ratio of Grip::Creep::thesis, and the ends of the range around it that meets the conditions, if known.
+/// The creep ratio that the thesis chooses, and the ends of the range around it that meets its conditions, if known.
 struct ThesisCreep {
   Interval chosen;
   std::optional<Interval> lower = {}, upper = {};

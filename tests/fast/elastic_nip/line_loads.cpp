@@ -29,8 +29,8 @@ TEST_CASE("a load is carried by the shortest length that carries it, however wid
 
 TEST_CASE("inside the sheet, on the line through the centres, the shear of line loads is exactly 0") {
   const fast::InnerPoint points[] = {{0, 0.3}, {0, -0.7}, {0.01, 0.3}};
-  for (const data::Grip& grip : {data::Grip{}, grip_with(1e-3)}) {
-    const LineLoadNip solution = fast::line_loads_for_length(thick_nip, 7, 0.1, grip);
+  for (const data::LineLoadFriction& friction : {data::LineLoadFriction{}, full_friction(1e-3)}) {
+    const LineLoadNip solution = fast::line_loads_for_length(thick_nip, 7, 0.1, friction);
     const auto stresses = fast::line_load_stresses(solution.loads, thick_nip.half_thickness(), points);
     CHECK(stresses[0].shear.value == 0);
     CHECK(stresses[1].shear.value == 0);
@@ -41,10 +41,10 @@ TEST_CASE("inside the sheet, on the line through the centres, the shear of line 
 TEST_CASE("length for a load and load for a length are inverse, over twelve decades of load") {
   for (double length = 1e-6; length < 2; length *= 10) {
     // The creep of a thick nip is proportional to its length.
-    for (const data::Grip& grip : {data::Grip{}, grip_with(-1e-2 * length)}) {
+    for (const data::LineLoadFriction& friction : {data::LineLoadFriction{}, full_friction(-1e-2 * length)}) {
       CAPTURE(length);
-      const LineLoadNip solution = fast::line_loads_for_length(thick_nip, 4, length, grip);
-      const LineLoadNip again = fast::line_loads_for_load(thick_nip, 4, solution.load(), grip);
+      const LineLoadNip solution = fast::line_loads_for_length(thick_nip, 4, length, friction);
+      const LineLoadNip again = fast::line_loads_for_load(thick_nip, 4, solution.load(), friction);
       CHECK(again.load() == approx(solution.load(), 1e-12));
       CHECK(again.contact_length() == approx(length, 1e-9));
     }
@@ -80,7 +80,7 @@ TEST_CASE("a search for the load counts every solve of it, and evaluates I1 only
 }
 
 TEST_CASE("with full friction three kernels at the same distances, one system") {
-  const auto solution = fast::line_loads_for_length(quarter_inch_nip, 7, 0.1, grip_with(1e-4));
+  const auto solution = fast::line_loads_for_length(quarter_inch_nip, 7, 0.1, full_friction(1e-4));
   CHECK(solution.work().kernel_evaluations == Counts{14, 0, 14, 0, 0, 14, 0});
   CHECK(solution.work().systems == 1);
   CHECK(solution.work().unknowns == 15);
@@ -99,13 +99,13 @@ TEST_CASE("work adds up") {
 }
 
 TEST_CASE("residues: as many terms as asked for, and the library's kernels where they suffice") {
-  const auto by_residues = fast::line_loads_for_length(quarter_inch_nip, {5, 500}, 0.1, grip_with(1e-4));
+  const auto by_residues = fast::line_loads_for_length(quarter_inch_nip, {5, 500}, 0.1, full_friction(1e-4));
   CHECK(by_residues.work().terms == 3 * 10 * 500);
-  const auto by_library = fast::line_loads_for_length(quarter_inch_nip, 5, 0.1, grip_with(1e-4));
+  const auto by_library = fast::line_loads_for_length(quarter_inch_nip, 5, 0.1, full_friction(1e-4));
   CHECK(by_residues.indentation == approx(by_library.indentation, 1e-11));
   CHECK(by_residues.peak_shear() == approx(by_library.peak_shear(), 1e-10));
   // Half an element is 0.08 b, so that ten residues leave an error of e^(-0.08 pi 10), which is 8 %.
-  const auto by_few = fast::line_loads_for_length(quarter_inch_nip, {5, 10}, 0.1, grip_with(1e-4));
+  const auto by_few = fast::line_loads_for_length(quarter_inch_nip, {5, 10}, 0.1, full_friction(1e-4));
   CHECK(by_few.indentation != approx(by_library.indentation, 1e-3));
 }
 
@@ -117,19 +117,21 @@ TEST_CASE("coarser kernels change the result by no more than their tolerance tim
 }
 
 TEST_CASE("bad input to line loads is refused by name") {
-  const auto of_length = [](const fast::LineLoadMethod& method, double length, const data::Grip& grip = {}) {
-    return fast::line_loads_for_length(thick_nip, method, length, grip);
+  const auto of_length = [](const fast::LineLoadMethod& method, double length,
+                            const data::LineLoadFriction& friction = {}) {
+    return fast::line_loads_for_length(thick_nip, method, length, friction);
   };
   const auto of_nip = [](const data::ElasticNip& other) { return fast::line_loads_for_load(other, 2, 1.0); };
   CHECK_REFUSED(of_length(0, 0.1), "elements_per_side = 0: must be from 1 to 10000");
-  CHECK_REFUSED(of_length(-3, 0.1, grip_with(0)), "elements_per_side = -3: must be from 1 to 10000");
+  CHECK_REFUSED(of_length(-3, 0.1, full_friction(0)), "elements_per_side = -3: must be from 1 to 10000");
   CHECK_REFUSED(of_length({2, -1}, 0.1), "residue_terms = -1");
   CHECK_REFUSED(of_length({2, 501}, 0.1), "residue_terms = 501");
   CHECK_REFUSED(of_length(2, 0), "contact_length = 0");
   CHECK_REFUSED(of_length(2, not_a_number), "contact_length = nan");
-  CHECK_REFUSED(of_length(2, 0.1, grip_with(not_a_number)), "creep = nan: must be a finite number");
+  CHECK_REFUSED(of_length(2, 0.1, full_friction(not_a_number)), "creep = nan: must be a finite number");
   CHECK_REFUSED(fast::line_loads_for_load(thick_nip, 2, -1.0), "load = -1");
-  CHECK_REFUSED(fast::line_loads_for_load(thick_nip, 2, 1, grip_with(0), {.tolerance = 0}), "tolerance = 0");
+  CHECK_REFUSED(fast::line_loads_for_load(thick_nip, 2, 1, full_friction(0), {.tolerance = 0}),
+                "tolerance = 0");
   CHECK_REFUSED(of_nip({0.0, 1.0, thick_nip.material}), "roller_radius = 0");
   CHECK_REFUSED(of_nip({6.0, not_a_number, thick_nip.material}), "sheet_thickness = nan");
   CHECK_REFUSED(of_nip({6.0, 1.0, {1.0, 0.6}}), "poisson = 0.6");

@@ -36,7 +36,7 @@ double violation(const fast::LineLoadNip& solution) {
 
 /// The ranges of creep that meet the conditions. They do not depend on the given creep.
 std::vector<fast::CreepRange> creep_ranges(const data::ElasticNip& where, int m, double length) {
-  return fast::line_loads_for_length(where, m, length, grip_with(0)).creep_ranges;
+  return fast::line_loads_for_length(where, m, length, full_friction(0)).creep_ranges;
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ TEST_CASE("inside the creep range the thesis's conditions hold, just outside the
                         Case{middling_nip, 5, 0.05}, Case{thin_nip, 10, 0.03}, Case{thin_nip, 10, 0.044}}) {
     CAPTURE(c.nip.sheet_thickness, c.m);
     const auto violation_at = [&](double creep) {
-      return violation(fast::line_loads_for_length(c.nip, c.m, c.length, grip_with(creep)));
+      return violation(fast::line_loads_for_length(c.nip, c.m, c.length, full_friction(creep)));
     };
     const auto ranges = creep_ranges(c.nip, c.m, c.length);
     REQUIRE(ranges.size() == 1);
@@ -97,17 +97,17 @@ TEST_CASE("inside the creep range the thesis's conditions hold, just outside the
 
 TEST_CASE("the thesis's creep is the least in size, and there may be none") {
   const auto thick_range = creep_ranges(thick_nip, 2, 0.08)[0];
-  const auto chosen = fast::line_loads_for_length(thick_nip, 2, 0.08, thesis_grip);
+  const auto chosen = fast::line_loads_for_length(thick_nip, 2, 0.08, thesis_friction);
   CHECK(thick_range.upper < 0);  // drawn in
   CHECK(*chosen.gripped_creep == thick_range.upper);
   const auto thin_range = creep_ranges(thin_nip, 10, 0.03)[0];
   CHECK(thin_range.lower > 0);  // squeezed out
-  CHECK(*fast::line_loads_for_length(thin_nip, 10, 0.03, thesis_grip).gripped_creep == thin_range.lower);
+  CHECK(*fast::line_loads_for_length(thin_nip, 10, 0.03, thesis_friction).gripped_creep == thin_range.lower);
   // One factorisation serves any number of conditions.
-  const auto without = fast::line_loads_for_length(middling_nip, 10, 1.164 * 0.0625, grip_with(0));
+  const auto without = fast::line_loads_for_length(middling_nip, 10, 1.164 * 0.0625, full_friction(0));
   CHECK(without.creep_ranges.empty());
   CHECK(without.work().systems == 1);
-  CHECK_REFUSED(fast::line_loads_for_length(middling_nip, 10, 1.164 * 0.0625, thesis_grip),
+  CHECK_REFUSED(fast::line_loads_for_length(middling_nip, 10, 1.164 * 0.0625, thesis_friction),
                 "no creep meets the thesis's conditions here");
 }
 
@@ -115,9 +115,9 @@ TEST_CASE("the thesis's choice for a load carries it, by either iteration") {
   for (const data::ElasticNip& nip : {thick_nip, thin_nip}) {
     const int m = nip.sheet_thickness == 1.0 ? 2 : 10;
     CAPTURE(m);
-    const auto fast_search = fast::line_loads_for_load(nip, m, 100.0, thesis_grip);
-    const auto thesis_search =
-        fast::line_loads_for_load(nip, m, 100.0, thesis_grip, {fast::LoadSearch::Iteration::thesis, 1e-12});
+    const auto fast_search = fast::line_loads_for_load(nip, m, 100.0, thesis_friction);
+    const auto thesis_search = fast::line_loads_for_load(nip, m, 100.0, thesis_friction,
+                                                         {fast::LoadSearch::Iteration::thesis, 1e-12});
     CHECK(fast_search.load() == approx(100.0, 1e-13));
     CHECK(thesis_search.contact_length() == approx(fast_search.contact_length(), 1e-11));
     const auto range = creep_ranges(nip, m, fast_search.contact_length())[0];

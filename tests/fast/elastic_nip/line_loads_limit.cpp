@@ -82,7 +82,7 @@ TEST_CASE("500 elements a side, L/B from 1e-4 to 1e3, poisson from -0.9 to 1/2: 
       CHECK(slipping.load() > 0);
       CHECK(slipping.indentation > 0);
       CHECK(slipping.loads.size() == 1000);
-      const auto gripped = fast::line_loads_for_length(nip, 500, ratio, grip_with(0.0));
+      const auto gripped = fast::line_loads_for_length(nip, 500, ratio, full_friction(0.0));
       CHECK(std::isfinite(gripped.load()));
       CHECK(std::isfinite(gripped.peak_shear()));
       CHECK(gripped.loads.size() == 1000);

@@ -11,13 +11,13 @@
 #include "support/thesis_nips.hpp"
 
 using namespace nipref;
-using test::grip_with;
+using test::full_friction;
 using test::quarter_inch_nip;
 
 TEST_CASE("ref line loads: fewer digits enclose more digits") {
   for (const double length : {1e-3, 0.1, 2.0}) {
-    const auto coarse = ref::line_loads_for_length(quarter_inch_nip, 4, length, 20, grip_with(1e-3));
-    const auto fine = ref::line_loads_for_length(quarter_inch_nip, 4, length, 60, grip_with(1e-3));
+    const auto coarse = ref::line_loads_for_length(quarter_inch_nip, 4, length, 20, full_friction(1e-3));
+    const auto fine = ref::line_loads_for_length(quarter_inch_nip, 4, length, 60, full_friction(1e-3));
     CHECK(meet(coarse.indentation(), fine.indentation()));
     CHECK(error(coarse.indentation()) <= 1e-20 * std::fabs(coarse.indentation().to_double()) * 1e3);
     const auto coarse_loads = coarse.face_loads(), fine_loads = fine.face_loads();
@@ -32,7 +32,7 @@ TEST_CASE("ref line loads displace the sheet to the roller, summed load by load 
   const int m = 3;
   const ref::Exact young(quarter_inch_nip.material.young), poisson(quarter_inch_nip.material.poisson);
   const double length = 0.375, creep = -0.0009765625;  // exact in binary, and so are all distances
-  const auto solution = ref::line_loads_for_length(quarter_inch_nip, m, length, 40, grip_with(creep));
+  const auto solution = ref::line_loads_for_length(quarter_inch_nip, m, length, 40, full_friction(creep));
   const auto loads = solution.face_loads();
   for (int i = -m; i <= m; ++i) {
     double u = 0, v = 0;
@@ -68,8 +68,8 @@ TEST_CASE("fast line loads are within their condition of the truth, by errors of
       const double by_rounding = std::fabs(exact_solve.load().error_of(computed.load()));
       CHECK(std::fabs(truth.load().error_of(computed.load())) <= 1.01 * (by_kernels + by_rounding));
     }
-    const auto truth = ref::line_loads_for_length(quarter_inch_nip, m, 0.1, 30, grip_with(1e-4));
-    const auto computed = fast::line_loads_for_length(quarter_inch_nip, m, 0.1, grip_with(1e-4));
+    const auto truth = ref::line_loads_for_length(quarter_inch_nip, m, 0.1, 30, full_friction(1e-4));
+    const auto computed = fast::line_loads_for_length(quarter_inch_nip, m, 0.1, full_friction(1e-4));
     CHECK(relative_error(truth.load(), computed.load()) < 1e-15 * truth.condition());
   }
 }
@@ -111,15 +111,16 @@ TEST_CASE("ref line loads: inside the sheet the field is proven, and covers what
 }
 
 TEST_CASE("ref line loads refuse bad input by name") {
-  const auto of_length = [](const auto& method, double length, int digits, const data::Grip& grip = {}) {
-    return ref::line_loads_for_length(quarter_inch_nip, method, length, digits, grip);
+  const auto of_length = [](const auto& method, double length, int digits,
+                            const data::LineLoadFriction& friction = {}) {
+    return ref::line_loads_for_length(quarter_inch_nip, method, length, digits, friction);
   };
   CHECK_REFUSED(of_length(0, 0.1, 30), "elements_per_side");
   CHECK_REFUSED(ref::line_loads_for_load(quarter_inch_nip, 2, -1, 30), "load = -1");
   CHECK_REFUSED(ref::line_loads_for_length(quarter_inch_nip, {2, 501}, 0.1, 30), "residue_terms = 501");
   CHECK_REFUSED(of_length(2, -0.1, 30), "contact_length");
   CHECK_REFUSED(of_length(2, 0.1, 5), "digits");
-  CHECK_REFUSED(of_length(2, 0.1, 30, grip_with(HUGE_VAL)), "creep");
+  CHECK_REFUSED(of_length(2, 0.1, 30, full_friction(HUGE_VAL)), "creep");
   // With one value for all distances the rows of the matrix are equal, and no number of digits helps.
   const std::array<double, 3> odd{1, 2, 3};
   const std::array<double, 4> singular{1, 1, 1, 1};
@@ -128,10 +129,11 @@ TEST_CASE("ref line loads refuse bad input by name") {
 }
 
 TEST_CASE("ref line loads: a given load is carried at a length that is proven, whatever the digits") {
-  for (const auto kind : {data::Grip::Creep::none, data::Grip::Creep::given, data::Grip::Creep::thesis}) {
-    const data::Grip grip{kind, kind == data::Grip::Creep::given ? 1e-4 : 0};
-    const auto coarse = ref::line_loads_for_load(quarter_inch_nip, 3, 100, 18, grip);
-    const auto fine = ref::line_loads_for_load(quarter_inch_nip, 3, 100, 34, grip);
+  for (const auto kind : {data::LineLoadFriction::Kind::none, data::LineLoadFriction::Kind::given_creep,
+                          data::LineLoadFriction::Kind::thesis_creep}) {
+    const data::LineLoadFriction friction{kind, kind == data::LineLoadFriction::Kind::given_creep ? 1e-4 : 0};
+    const auto coarse = ref::line_loads_for_load(quarter_inch_nip, 3, 100, 18, friction);
+    const auto fine = ref::line_loads_for_load(quarter_inch_nip, 3, 100, 34, friction);
     CHECK(difference(coarse.contact_length(), fine.contact_length()) <= error(coarse.contact_length()));
     CHECK(difference(coarse.indentation(), fine.indentation()) <= error(coarse.indentation()));
     CHECK(difference(coarse.peak_pressure(), fine.peak_pressure()) <= error(coarse.peak_pressure()));

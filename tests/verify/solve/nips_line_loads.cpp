@@ -50,12 +50,12 @@ TEST_CASE("each name of a line-load scene is the solver's result of that name") 
 
   problem.friction = data::Friction::full;
   problem.creep_ratio = 1e-4;
-  const data::Grip grip{data::Grip::Creep::given, 1e-4};
+  const auto friction = data::LineLoadFriction::full(1e-4);
   check_is(verify::solve(scene_of(problem, all_results())),
-           fast::line_loads_for_length(quarter_inch_nip, method, 0.2, grip));
+           fast::line_loads_for_length(quarter_inch_nip, method, 0.2, friction));
   problem.given = data::GivenLoad{100};
   check_is(verify::solve(scene_of(problem, all_results())),
-           fast::line_loads_for_load(quarter_inch_nip, method, 100, grip));
+           fast::line_loads_for_load(quarter_inch_nip, method, 100, friction));
 }
 
 TEST_CASE("without a creep ratio line loads with friction take the thesis's, and carry the load") {
@@ -64,7 +64,7 @@ TEST_CASE("without a creep ratio line loads with friction take the thesis's, and
   const auto solution = verify::solve(scene_of(line_load_problem(data::Friction::full, 3), all_results()));
   CHECK(solution[load].value == doctest::Approx(100).epsilon(1e-9));
   check_is(solution, fast::line_loads_for_length(quarter_inch_nip, method, solution[contact_length].value,
-                                                 {data::Grip::Creep::thesis}));
+                                                 {data::LineLoadFriction::Kind::thesis_creep}));
   const auto range =
       verify::solve(scene_of(line_load_problem(data::Friction::full, 3), {creep_range})).profile(creep_range);
   REQUIRE(range.size() == 3);

@@ -76,8 +76,8 @@ ContactAudit audit_line_loads(Friction friction, double ratio, double poisson, i
   const double length = ratio * nip.sheet_thickness;
   const bool shear = friction == Friction::full;
   const double creep = 1e-2 * length;
-  const data::Grip grip = shear ? data::Grip{data::Grip::Creep::given, creep} : data::Grip{};
-  const auto solution = fast::line_loads_for_length(nip, m, length, grip);
+  const auto friction_and_creep = shear ? data::LineLoadFriction::full(creep) : data::LineLoadFriction{};
+  const auto solution = fast::line_loads_for_length(nip, m, length, friction_and_creep);
   const double condition = fast::condition_number(nip, m, length, friction);
   ContactAudit audit{name("line loads", friction),
                      ratio,
@@ -87,7 +87,7 @@ ContactAudit audit_line_loads(Friction friction, double ratio, double poisson, i
                      shear ? std::optional(oscillation_of(solution)) : std::nullopt,
                      1e-15 * condition};
   if (m > most_ref_elements || ratio > longest_ref_line_loads) return audit;
-  const auto truth = ref::line_loads_for_length(nip, m, length, contact_digits, grip);
+  const auto truth = ref::line_loads_for_length(nip, m, length, contact_digits, friction_and_creep);
   audit.error = error_of(solution, &fast::FaceLoad::normal, truth, &ref::FaceLoad::normal);
   if (shear) {
     audit.error =

@@ -29,11 +29,11 @@ fast::LineLoadNip line_loads_of(const Replay& replay, FigureFormulas& formulas) 
                                        replay.nips[row].values.at("L1"));
   }
   const RowValues& values = replay.nips[row_with(table, formulas.value("load"))].values;
-  const data::Grip grip = formulas.value("full_friction") != 0
-                              ? data::Grip{data::Grip::Creep::given, values.at("creep")}
-                              : data::Grip{};
+  const auto friction = formulas.value("full_friction") != 0
+                            ? data::LineLoadFriction::full(values.at("creep"))
+                            : data::LineLoadFriction{};
   return fast::line_loads_for_length(nip_of_the_tables(table), line_load_table(table.id).elements_per_side,
-                                     values.at("L"), grip);
+                                     values.at("L"), friction);
 }
 
 /// Adds a bar with its middle.
@@ -84,7 +84,7 @@ std::vector<Series> creep_ranges(FigureFormulas& formulas, const Series& start) 
     // The ranges do not depend on the creep.
     const auto loads =
         fast::line_loads_for_length(nip_of_the_tables(table), line_load_table(table.id).elements_per_side,
-                                    formulas.value("length(m_beta)"), {data::Grip::Creep::given, 0});
+                                    formulas.value("length(m_beta)"), data::LineLoadFriction::full(0));
     for (const fast::CreepRange& range : loads.creep_ranges)
       add_bar(series, m_beta, range.lower, range.upper);
   }

@@ -53,8 +53,8 @@ class ElasticRow final : public NipRow {
 
  private:
   [[nodiscard]] RowValues solved(int elements, const std::vector<double>& inputs) const {
-    const data::Grip grip = creep_ ? data::Grip{data::Grip::Creep::given, inputs.at(1)} : data::Grip{};
-    const auto loads = fast::line_loads_for_length(nip_, elements, inputs.front(), grip);
+    const auto friction = creep_ ? data::LineLoadFriction::full(inputs.at(1)) : data::LineLoadFriction{};
+    const auto loads = fast::line_loads_for_length(nip_, elements, inputs.front(), friction);
     RowValues values = row_values(nip_.sheet_thickness, loads);
     for (int element = 1; creep_ && element <= elements; ++element)
       values[shear_of(element)] =
