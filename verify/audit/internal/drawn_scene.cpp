@@ -75,8 +75,8 @@ class SceneDrawing {
     }
     for (const std::string& key : words_of(part.text_or("without", ""))) drawn.remove(key);
     for (const std::string& word : words_of(part.text_or("keys", ""))) {
-      const auto [key, stated] = divided(word, '=', word.substr(word.find('.') + 1));
-      drawn.set(key, key_value(stated));
+      const std::size_t equals = word.find('=');
+      drawn.set(word.substr(0, equals), key_value(word.substr(equals + 1)));
     }
     if (const std::string key = part.text_or("stiffness", ""); !key.empty()) {
       const std::vector<double> upper = draw_stiffness(random_, value("unit"));
@@ -91,27 +91,11 @@ class SceneDrawing {
  private:
   double value(const std::string& formula) { return formulas_.value(formula).value(); }
 
-  /// The parts of the text before and behind `separator`. Without a separator the second part is `otherwise`.
-  static std::pair<std::string, std::string> divided(const std::string& text, char separator,
-                                                     const std::string& otherwise) {
-    const std::size_t at = text.find(separator);
-    return {text.substr(0, at), at == text.npos ? otherwise : text.substr(at + 1)};
-  }
-
   DrawnScene::Value key_value(const std::string& stated) {
-    if (stated.starts_with('[')) {
-      std::vector<double> numbers;
-      for (const std::string& item : parts_of(stated.substr(1, stated.size() - 2), ",")) {
-        const auto [formula, condition] = divided(item, '?', "1");
-        if (value(condition) != 0) numbers.push_back(value(formula));
-      }
-      return numbers;
-    }
-    if (!stated.ends_with('\'')) return value(stated);
-    const std::size_t choice = stated.find('?');
-    const auto [first, second] = divided(stated.substr(choice + 1), ':', "");
-    const std::string& text = choice == stated.npos || value(stated.substr(0, choice)) != 0 ? first : second;
-    return text.substr(1, text.size() - 2);
+    const std::string inside = stated.substr(1, stated.size() - 2);
+    if (stated.starts_with('\'')) return inside;
+    if (!stated.starts_with('[')) return value(stated);
+    return mapped(parts_of(inside, ","), [this](const std::string& formula) { return value(formula); });
   }
 
   void set_wanted(const TomlTable& part) {
@@ -133,7 +117,7 @@ class SceneDrawing {
     const std::vector<std::string> all = words_of(words);
     const std::string& kind = all.front();
     const auto at = [&](std::size_t i) { return value(all.at(i)); };
-    if (kind == "uniform") return exact(all.size() == 1 ? random_.uniform() : random_.uniform(at(1), at(2)));
+    if (kind == "uniform") return exact(random_.uniform(at(1), at(2)));
     if (kind == "log") return exact(random_.log_uniform(at(1), at(2)));
     if (kind == "chance") return exact(random_.chance(at(1)) ? 1 : 0);
     if (kind == "index") return exact(static_cast<double>(random_.index(static_cast<std::size_t>(at(1)))));

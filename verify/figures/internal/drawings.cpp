@@ -110,11 +110,9 @@ Curves curves_of_group(const TomlTable& group, const FigureScope& scope) {
 /// A panel without its curves.
 Panel panel_of(const TomlTable& stated, const FigureScope& scope, FigureContacts& contacts) {
   FigureFormulas formulas(scope, contacts);
-  const bool has_decades = scope.shown != nullptr && scope.shown->number_or("decades", 0) != 0;
   const TomlTable& axes = stated.table("axes");
   const auto axis = [&](const std::string& name) {
-    const double log = axes.number_or("log_" + name, 0);
-    return FigureAxis{formulas.text(axes.text(name)), log == 1 || (log == 2 && has_decades)};
+    return FigureAxis{formulas.text(axes.text(name)), formulas.value(axes.text_or("log_" + name, "0")) != 0};
   };
   Panel panel{axis("x"), axis("y"), {}, axes.number_or("equal_scales", 0) != 0};
   if (stated.number_or("contours", 0) != 0) panel.contours = stress_contours(formulas);
@@ -132,9 +130,8 @@ std::vector<Panel> panels_of(const FigureRow& row) {
   std::vector<Round> rounds;
   for (const std::string& name : row.panels) {
     const TomlTable& stated = drawings_file().entry("panel", name);
-    const std::string loops = row.of.size() == 1 ? "of " : "";
-    for (const FigureScope& scope : rounds_of({.row = &row, .given = {drawings_file().text("given")}},
-                                              loops + stated.text_or("each", ""))) {
+    for (const FigureScope& scope :
+         rounds_of({.row = &row, .given = {drawings_file().text("given")}}, stated.text_or("each", ""))) {
       panels.push_back(panel_of(stated, within(scope, stated), contacts));
       for (const TomlTable& group : stated.list("group", {}, {"each", "label", "given", "curve"})) {
         for (const FigureScope& round : rounds_of(within(scope, stated), group.text_or("each", "")))
