@@ -22,33 +22,33 @@ int smooth_points(double reach, double digits) {
   return 2 * static_cast<int>(8 + digits * std::log(10.0) / std::log(ellipse) / 2);
 }
 
-/// The grid in w of sinc collocation: tractions at multiples of the step, slopes of the surface half a step farther.
-/// The step follows from the singularities nearest to the real axis of w, the images of the contact's ends in the
-/// sheet's faces. Beyond the last node the tractions decay like (A - x)^(1/2 +- i epsilon), as at an end, which
-/// neglects terms of the order e^(-3 w).
+/// The grid in w of sinc collocation: tractions at the nodes, multiples of the step, and slopes of the surface at the
+/// midpoints between them. The step follows from the singularities nearest to the real axis of w, the images of the
+/// contact's ends in the sheet's faces. Beyond the last node with unknown tractions there are nodes of a tail, on which
+/// the tractions decay like (A - x)^(1/2 +- i epsilon), as at an end. This neglects terms of the order e^(-3 w).
 struct Grid {
   Float step;
-  int last, beyond;  ///< last node with unknown tractions; number of nodes beyond it
+  int last, tail;  ///< last node with unknown tractions; number of nodes beyond it
 
   Grid(double half_length, double digits) {
     const double strip = (std::atan(2 / half_length) + std::numbers::pi / 2) / 2,
                  nats = digits * std::log(10.0), about = std::numbers::pi * strip / nats;
     step = about;
     last = static_cast<int>(std::ceil(nats / 3 / about));
-    beyond = 2 * last;
+    tail = 2 * last;
   }
   [[nodiscard]] Float node(int j) const { return step * j; }
-  [[nodiscard]] Float middle(int k) const { return step * k + step / 2; }
+  [[nodiscard]] Float midpoint(int k) const { return step * k + step / 2; }
 };
 
 /// Interpolants of the kernels of the sheet's surface without the term -ln|x|. Lengths are in half-thicknesses.
 struct Kernels {
-  Interpolant normal, stretch, coupling;  ///< I1 + ln|x|, I6_alpha + ln|x|, I3
+  Interpolant normal, tangential, coupling;  ///< I1 + ln|x|, I6_alpha + ln|x|, I3
 
   Kernels(double half_length, double digits)
       : normal(made(
             half_length, digits, [](const mpq_class& x) { return I1(x).value(); }, true)),
-        stretch(made(
+        tangential(made(
             half_length, digits, [](const mpq_class& x) { return I6_alpha(x).value(); }, true)),
         coupling(made(
             half_length, digits, [](const mpq_class& x) { return I3(x).value(); }, false)) {}
@@ -69,9 +69,17 @@ Float sinc(const Float& x) {
   return sin(angle) / angle;
 }
 
-/// An elastic contact with full friction by sinc collocation: x = A tanh w, so that the tractions decay in w. The
-/// unknowns are the tractions at multiples of a step in w. The pressure is even, the shear odd. The surface's slopes
-/// are prescribed half a step away, where the trapezoidal rule converges although the integrals are principal values.
+/// An elastic contact with full friction by sinc collocation. Lengths are in half-thicknesses b, displacements in
+/// b^2/(2 R). x points from the middle of the contact to its end x = A. The pressure p is even, the shear q odd. At x,
+/// with t = x - s, they cause the normal displacement u and the tangential displacement v:
+///   pi u = int p(s) I1(t) - q(s) (I3(t) - beta I2(t)) ds
+///   pi v = int q(s) I6_alpha(t) + p(s) (I3(t) - beta I2(t)) ds
+/// where beta = theta2/N and I2(t) = pi/2 sign t. In the contact u' = -2 x, and v' is a constant, the unknown strain.
+/// I1 and I6_alpha contain -ln|t|, whose derivative makes the integrals of u' and v' principal values.
+///
+/// With x = A tanh w and s = A tanh v the tractions decay in w, and the unknowns are their values at the nodes. The two
+/// slopes are prescribed at the midpoints, where the trapezoidal rule converges although the integrals are principal
+/// values.
 class GrippedContact {
  public:
   GrippedContact(double half_length, double poisson, double digits)
@@ -80,83 +88,88 @@ class GrippedContact {
         grid_(half_length, digits),
         kernels_(half_length, digits + 5) {
     const Float turning = 2 * atanh(beta_) / pi();
-    for (int m = 0; m <= grid_.beyond; ++m) {
-      const Float way = grid_.node(m);
-      along_.push_back(exp(-way) * cos(turning * way));
-      across_.push_back(exp(-way) * sin(turning * way));
+    for (int m = 0; m <= grid_.tail; ++m) {
+      const Float beyond = grid_.node(m);
+      tail_cos_.push_back(exp(-beyond) * cos(turning * beyond));
+      tail_sin_.push_back(exp(-beyond) * sin(turning * beyond));
     }
     solve();
   }
 
   /// Returns nip.load, .indentation, .creep, .peak_pressure, .peak_shear.
   [[nodiscard]] std::vector<Float> numbers() const {
-    Float load = 0, depth = 0;
-    for (int j = -nodes(); j <= nodes(); ++j) {
+    Float load = 0, displacement = 0;  // of the end x = A, times pi; the integral of q I2 is 0 there
+    for (int j = -tail_end(); j <= tail_end(); ++j) {
       const Float weight = half_length_ * grid_.step / square(cosh(grid_.node(j)));
-      // The distance A - x from the end, without cancellation.
+      // The distance A - s, without cancellation.
       const Float distance = 2 * half_length_ / (exp(2 * grid_.node(j)) + 1);
       load += weight * pressure(j);
-      depth += weight * (pressure(j) * (kernels_.normal(distance) - log(distance)) -
-                         shear(j) * kernels_.coupling(distance));
+      displacement += weight * (pressure(j) * (kernels_.normal(distance) - log(distance)) -
+                                shear(j) * kernels_.coupling(distance));
     }
-    const Float area = square(half_length_);
-    return {load / (8 * area), (depth / pi() + area) / (8 * area), strain_ / (4 * half_length_),
-            pressure(0) / (4 * half_length_), largest_shear() / (4 * half_length_)};
+    const Float half_squared = square(half_length_);
+    return {load / (8 * half_squared), (displacement / pi() + half_squared) / (8 * half_squared),
+            strain_ / (4 * half_length_), pressure(0) / (4 * half_length_),
+            largest_shear() / (4 * half_length_)};
   }
 
  private:
   static Float square(const Float& x) { return x * x; }
-  [[nodiscard]] int nodes() const { return grid_.last + grid_.beyond; }
+  [[nodiscard]] int tail_end() const { return grid_.last + grid_.tail; }
   [[nodiscard]] Float pressure(int j) const { return pressure_[at(std::abs(j))]; }
   [[nodiscard]] Float shear(int j) const { return j < 0 ? Float(-shear_[at(-j)]) : shear_[at(j)]; }
 
+  /// Solves a linear system of pi u' and pi v' at the midpoints of one half. Its unknowns are the pressures and shears
+  /// at the nodes of that half, and the strain.
   void solve() {
-    const int last = grid_.last;
-    const auto of_pressure = [](int j) { return std::abs(j); };
-    const auto of_shear = [&](int j) { return last + std::abs(j); };
-    const int of_strain = 2 * last + 1;
-    FloatMatrix system = FloatMatrix::Zero(of_strain + 1, of_strain + 1);
-    FloatVector right = FloatVector::Zero(of_strain + 1);
+    const int last = grid_.last, strain_column = 2 * last + 1;
+    const auto pressure_column = [](int j) { return std::abs(j); };
+    const auto shear_column = [&](int j) { return last + std::abs(j); };  // the shear at node 0 is 0
+    FloatMatrix system = FloatMatrix::Zero(strain_column + 1, strain_column + 1);
+    FloatVector right = FloatVector::Zero(strain_column + 1);
     for (int k = 0; k <= last; ++k) {
-      const int slope = k, strain = last + 1 + k;
-      const Float w = grid_.middle(k), x = half_length_ * tanh(w);
+      const int normal_row = k, tangential_row = last + 1 + k;
+      const Float w = grid_.midpoint(k), x = half_length_ * tanh(w);
       for (int j = -last; j <= last; ++j) {
-        const int sign = j < 0 ? -1 : 1;
-        const Float way(x - half_length_ * tanh(grid_.node(j)));
-        // Beyond the last node x hardly changes, so that these slopes are taken as constant.
-        const Float normal(kernels_.normal.slope(way)), stretch(kernels_.stretch.slope(way)),
-            shared(kernels_.coupling.slope(way));
-        for (int m = 0; m <= (std::abs(j) == last ? grid_.beyond : 0); ++m) {
+        const int sign = j < 0 ? -1 : 1;  // the shear at node j is `sign` times its unknown
+        const Float t(x - half_length_ * tanh(grid_.node(j)));
+        // On the tail s hardly changes, so that these slopes are taken as constant there.
+        const Float normal(kernels_.normal.slope(t)), tangential(kernels_.tangential.slope(t)),
+            coupling(kernels_.coupling.slope(t));
+        for (int m = 0; m <= (std::abs(j) == last ? grid_.tail : 0); ++m) {
           const Float v = grid_.node(j + sign * m), weight = half_length_ * grid_.step / square(cosh(v));
+          // The weight times -1/t, the derivative of -ln|t|, without cancellation.
           const Float singular = -grid_.step * cosh(w) / (cosh(v) * sinh(w - v));
-          const Float local = pi() * beta_ * sinc((w - v) / grid_.step), coupling = weight * shared;
-          const auto add = [&](int row, const Float& of_p, const Float& of_q) {
-            const Float &c = along_[at(m)], &s = across_[at(m)];
-            system(row, of_pressure(j)) += c * of_p + s * of_q;
-            if (j != 0) system(row, of_shear(j)) += c * of_q - s * of_p;
+          // beta I2 has the derivative pi beta delta(t): the sinc function gives the traction at the midpoint.
+          const Float local = pi() * beta_ * sinc((w - v) / grid_.step), coupled = weight * coupling;
+          // The tractions m nodes beyond node j follow from those at node j. Adds the effects of unit tractions there.
+          const auto add = [&](int row, const Float& of_pressure, const Float& of_shear) {
+            const Float &c = tail_cos_[at(m)], &s = tail_sin_[at(m)];
+            system(row, pressure_column(j)) += c * of_pressure + s * of_shear;
+            if (j != 0) system(row, shear_column(j)) += c * of_shear - s * of_pressure;
           };
-          add(slope, singular + weight * normal, sign * (local - coupling));
-          add(strain, coupling - local, sign * (singular + weight * stretch));
+          add(normal_row, singular + weight * normal, sign * (local - coupled));
+          add(tangential_row, coupled - local, sign * (singular + weight * tangential));
         }
       }
-      right(slope) = -2 * pi() * x;
-      system(strain, of_strain) = -pi();
+      right(normal_row) = -2 * pi() * x;
+      system(tangential_row, strain_column) = -pi();
     }
     const FloatVector found = system.partialPivLu().solve(right);
     pressure_.assign(found.begin(), found.begin() + last + 1);
     shear_.assign(1, Float(0));
-    shear_.insert(shear_.end(), found.begin() + last + 1, found.begin() + 2 * last + 1);
+    shear_.insert(shear_.end(), found.begin() + last + 1, found.begin() + strain_column);
     const Float p = pressure_.back(), q = shear_.back();
-    for (int m = 1; m <= grid_.beyond; ++m) {
-      pressure_.emplace_back(along_[at(m)] * p - across_[at(m)] * q);
-      shear_.emplace_back(across_[at(m)] * p + along_[at(m)] * q);
+    for (int m = 1; m <= grid_.tail; ++m) {
+      pressure_.emplace_back(tail_cos_[at(m)] * p - tail_sin_[at(m)] * q);
+      shear_.emplace_back(tail_sin_[at(m)] * p + tail_cos_[at(m)] * q);
     }
-    strain_ = found(of_strain);
+    strain_ = found(strain_column);
   }
 
   [[nodiscard]] Float shear_at(const Float& w) const {
     Float sum = 0;
-    for (int j = -nodes(); j <= nodes(); ++j) sum += shear(j) * sinc((w - grid_.node(j)) / grid_.step);
+    for (int j = -tail_end(); j <= tail_end(); ++j) sum += shear(j) * sinc((w - grid_.node(j)) / grid_.step);
     return abs(sum);
   }
   /// Returns the largest shear, by golden-section search about the node with the largest value.
@@ -176,9 +189,10 @@ class GrippedContact {
   Float half_length_, beta_;
   Grid grid_;
   Kernels kernels_;
-  /// Beyond the last node, with tractions (p, q), the pressure is along p - across q and the shear across p + along q.
-  std::vector<Float> along_, across_;
-  std::vector<Float> pressure_, shear_;
+  /// m nodes beyond the last one, with tractions (p, q), the pressure is cos p - sin q and the shear sin p + cos q. The
+  /// angle of these two grows with m, and both decay.
+  std::vector<Float> tail_cos_, tail_sin_;
+  std::vector<Float> pressure_, shear_;  ///< at the nodes from 0 to the end of the tail
   Float strain_;
 };
 
@@ -279,49 +293,56 @@ Float remembered_sign(const Float& x, const Float& rate) {
 }
 
 /// Computes the numbers of rolling_numbers() by a fine or a coarse rule. A sheet without memory is elastic.
+///
+/// A unit load causes the normal displacement normal(x)/pi at the distance x downstream of it. normal(x) is I1(x) plus,
+/// for each memory, of_normal rate int_0^inf e^(-rate w) I1(x - w) dw. As I1(x) contains -ln|x|, normal(x) contains
+/// -share(x) ln|x|, where share(x) is 1 plus, for each memory, of_normal (1 - e^(-rate x)).
 std::vector<Float> rolling(const RollingSheet& sheet, bool coarse) {
   const Float& half_length = sheet.half_length;
-  const auto share = [&](const Float& w) {
+  const auto share = [&](const Float& x) {
     Float sum = 1;
-    for (const auto& [rate, memory] : sheet.memories) sum -= memory.of_normal * expm1(-rate * w);
+    for (const auto& [rate, memory] : sheet.memories) sum -= memory.of_normal * expm1(-rate * x);
     return sum;
   };
-  const auto normal = [&](const Float& w) {
-    Float sum = I1(exactly(w)).value();
+  const auto normal = [&](const Float& x) {
+    Float sum = I1(exactly(x)).value();
     for (const auto& [rate, memory] : sheet.memories)
-      sum += memory.of_normal * rate * remembered(I1, w, rate, coarse);
+      sum += memory.of_normal * rate * remembered(I1, x, rate, coarse);
     return sum;
   };
-  // Because of its growing exponentials a memory needs more points. Their number is even.
-  const double reach = half_length.convert_to<double>(), elastic_digits = coarse ? 19 : 24,
+  // Upstream of a load, e^(-rate x) grows, so that a memory needs more points. Their number is even.
+  const double half = half_length.convert_to<double>(), elastic_digits = coarse ? 19 : 24,
                digits = sheet.memories.empty() ? elastic_digits : 11;
-  int more = 0;
+  int extra = 0;
   for (const auto& [rate, memory] : sheet.memories)
-    more =
-        std::max(more, (coarse ? 8 : 16) + 2 * static_cast<int>(3 * reach * rate.convert_to<double>() / 2));
-  const Interpolant rest(-2 * half_length, 2 * half_length, smooth_points(2 * reach, digits) + more,
-                         [&](const Float& w) { return Float(normal(w) + share(w) * log(abs(w))); });
+    extra =
+        std::max(extra, (coarse ? 8 : 16) + 2 * static_cast<int>(3 * half * rate.convert_to<double>() / 2));
+  const Interpolant smooth_part(-2 * half_length, 2 * half_length, smooth_points(2 * half, digits) + extra,
+                                [&](const Float& x) { return Float(normal(x) + share(x) * log(abs(x))); });
   const RolledContact contact(
-      half_length, share, [&](const Float& w) { return rest(w); }, smooth_points(reach, digits) + more);
-  // The kernel theta2 * I2 - N * I3.
-  const auto tangential = [&](const Float& w) {
+      half_length, share, [&](const Float& x) { return smooth_part(x); },
+      smooth_points(half, digits) + extra);
+  // The tangential displacement under a unit load times pi: the kernel theta2 I2 - N I3 and its memories, where I2 is
+  // pi/2 sign x. remembered(I3) lacks the term pi/4 sign x, whose memory is `jump`.
+  const auto tangential = [&](const Float& x) {
     const Float quarter = pi() / 4;
-    Float sum = 2 * quarter * sheet.theta2 * (w > 0 ? 1 : -1) - I3(exactly(w)).value();
+    Float sum = 2 * quarter * sheet.theta2 * (x > 0 ? 1 : -1) - I3(exactly(x)).value();
     for (const auto& [rate, memory] : sheet.memories) {
-      const Float step = quarter * remembered_sign(w, rate);
-      sum -= memory.of_normal * (rate * remembered(I3, w, rate, coarse) + step);
-      sum += 2 * memory.of_theta2 * step;
+      const Float jump = quarter * remembered_sign(x, rate);
+      sum -= memory.of_normal * (rate * remembered(I3, x, rate, coarse) + jump);
+      sum += 2 * memory.of_theta2 * jump;
     }
     return sum;
   };
+  // The tangential displacement of the leading end less that of the trailing end, times pi.
   const Float stretched = contact.integral(
       [&](const Float& at) { return Float(tangential(at - half_length) - tangential(at + half_length)); });
-  const Float square = half_length * half_length;
+  const Float half_squared = half_length * half_length;
   return {(contact.offset() + contact.moment() / contact.load()) / (2 * half_length),
           (contact.offset() + half_length) / (2 * half_length),
-          contact.load() / (8 * square),
-          contact.indentation() / (8 * square),
-          stretched / pi() / (8 * square),
+          contact.load() / (8 * half_squared),
+          contact.indentation() / (8 * half_squared),
+          stretched / pi() / (8 * half_squared),
           contact.middle_pressure() / (4 * half_length)};
 }
 
