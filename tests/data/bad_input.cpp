@@ -16,7 +16,7 @@ TEST_CASE("a refusal is one line, whatever it is about") {
   CHECK(std::string(error.what()) == "a  = x  y: must be z");
 }
 
-TEST_CASE("a number is refused in the shortest text that is it") {
+TEST_CASE("a refused number is written as the shortest text that is read back as it") {
   const BadInput error("alpha", 0.1, "must be a whole number");
   CHECK(error.value() == "0.1");
   CHECK(std::string(error.what()) == "alpha = 0.1: must be a whole number");

@@ -9,7 +9,7 @@
 
 using namespace nipref;
 
-TEST_CASE("steel and graphite epoxy are those above the tables") {
+TEST_CASE("steel and graphite epoxy have the constants that stand above the papers' tables") {
   for (const char* id : {"brock2013-1", "brock2013-2", "brock2013-3"}) {
     CAPTURE(id);
     const data::Table table = data::load_table_by_id(id);
@@ -28,7 +28,7 @@ TEST_CASE("steel and graphite epoxy are those above the tables") {
   }
 }
 
-TEST_CASE("roller and sheets of the thesis are those above its tables, and all four of them") {
+TEST_CASE("the thesis's roller and its four sheets have the constants that stand above its tables") {
   std::array<int, 4> tables{};
   for (const std::string& id : data::table_ids()) {
     if (!id.starts_with("thesis-")) continue;

@@ -45,7 +45,7 @@ TEST_CASE("a gain of energy in a narrow band is found, whatever its place") {
   }
 }
 
-TEST_CASE("Kelvin's and Voigt's gives way to nothing at once, Maxwell's flows for ever: both are materials") {
+TEST_CASE("a Kelvin-Voigt solid, rigid at once, and a Maxwell fluid, which flows for ever, are materials") {
   CHECK_FALSE(data::prony_solid({0, {1}, {2}}, {0, {0.25}, {2}}).functions()->theta1.is_fluid());
   const auto maxwell = data::prony_solid({1, {3}, {0}}, {0.25, {0.75}, {0}});
   CHECK(maxwell.functions()->theta1.is_fluid());

@@ -69,7 +69,7 @@ TEST_CASE("a scene is read as it stands") {
   CHECK(std::get<data::EvenlySpaced>(*problem.profile).points == 4);
 }
 
-TEST_CASE("what may be left out is") {
+TEST_CASE("a scene is read without the keys and tables that may be left out") {
   std::string text = replaced(good, "accuracy = 1e-8\n", "");
   text = replaced(text, "creep_ratio = 1e-3\n", "");
   text = replaced(text, ", \"pressure\"", "");
@@ -156,7 +156,7 @@ TEST_CASE("a key of parts without end is refused wherever it stands, other dots 
   CHECK(said_of(replaced(good, "a nip", dots + "\\\"" + dots) + "# " + dots) == dots + "\"" + dots);
 }
 
-TEST_CASE("letters beyond ASCII are those of texts and comments") {
+TEST_CASE("letters beyond ASCII are accepted in texts and comments alone") {
   CHECK(said_of(replaced(good, "radius = 6", "r\u00e1dius = 6"))
             .starts_with("FILE:5: syntax = r\u00e1dius = 6: must be TOML"));
   CHECK(said_of("\xef\xbb\xbf# \u00e1\n" + replaced(good, "a nip", "\u00e1")) == "\u00e1");
