@@ -79,7 +79,7 @@ TEST_CASE("a search for the load counts every solve of it, and evaluates I1 only
   CHECK(coarse.work().systems < by_thesis.work().systems / 2);
 }
 
-TEST_CASE("with full friction three kernels at the same distances, one system") {
+TEST_CASE("with full friction three kernels are evaluated at the same distances, and one system is solved") {
   const auto solution = fast::line_loads_for_length(quarter_inch_nip, 7, 0.1, full_friction(1e-4));
   CHECK(solution.work().kernel_evaluations == Counts{14, 0, 14, 0, 0, 14, 0});
   CHECK(solution.work().systems == 1);
@@ -89,7 +89,7 @@ TEST_CASE("with full friction three kernels at the same distances, one system") 
   CHECK(solution.work().kernel_evaluations == Counts{14, 0, 14, 0, 0, 14, 0});
 }
 
-TEST_CASE("work adds up") {
+TEST_CASE("counts of work add up, but of the unknowns the larger number counts") {
   Work sum{{1, 0, 2, 0, 0, 3, 0}, 10, 1, 5};
   sum += Work{{4, 0, 0, 0, 0, 1, 7}, 20, 2, 3};
   CHECK(sum.kernel_evaluations == Counts{5, 0, 2, 0, 0, 4, 7});
@@ -98,7 +98,7 @@ TEST_CASE("work adds up") {
   CHECK(sum.unknowns == 5);
 }
 
-TEST_CASE("residues: as many terms as asked for, and the library's kernels where they suffice") {
+TEST_CASE("line loads sum as many residues as asked for, and enough of them make the library's kernels") {
   const auto by_residues = fast::line_loads_for_length(quarter_inch_nip, {5, 500}, 0.1, full_friction(1e-4));
   CHECK(by_residues.work().terms == 3 * 10 * 500);
   const auto by_library = fast::line_loads_for_length(quarter_inch_nip, 5, 0.1, full_friction(1e-4));

@@ -41,7 +41,7 @@ std::vector<fast::CreepRange> creep_ranges(const data::ElasticNip& where, int m,
 
 }  // namespace
 
-TEST_CASE("where linear and quadratic functions are not negative") {
+TEST_CASE("the parts of the axis where linear and quadratic functions are not negative are found") {
   const auto parts = [](std::initializer_list<fast::Quadratic> conditions) {
     fast::FeasibleSet set;
     for (const fast::Quadratic& condition : conditions) set.require_not_negative(condition);

@@ -51,14 +51,14 @@ TEST_CASE("line loads without friction, extrapolated, are the continuous contact
   }
 }
 
-TEST_CASE("oscillation of known rows") {
+TEST_CASE("the oscillation of short rows of loads is the one counted by hand") {
   CHECK(fast::oscillation(std::vector<double>{1, -1, 1, -1, 1, -1, 1, -1}) == 3);  // 6 bends of 4, over 8
   CHECK(fast::oscillation(std::vector<double>{1, 2, 3, 4}) == 0);
   CHECK(fast::oscillation(std::vector<double>{1, 5}) == 0);
   CHECK(fast::oscillation(std::vector<double>{0, 0, 0}) == 0);
 }
 
-TEST_CASE("condition number of the smallest matrix, by hand") {
+TEST_CASE("the condition number of the smallest matrix is the one computed by hand") {
   // One element a side, beta = 1/2: rows (1, -a) and (1, -c), determinant a - c.
   const data::ElasticNip nip{1.0, 2.0, {1.0, 0.25}};
   const double a = 2 * fast::I1(0.5);
@@ -73,7 +73,7 @@ TEST_CASE("condition number of the smallest matrix, by hand") {
   CHECK(condition(data::Friction::full) > condition(data::Friction::none));
 }
 
-TEST_CASE("500 elements a side, L/B from 1e-4 to 1e3, poisson from -0.9 to 1/2: no failure") {
+TEST_CASE("500 elements a side fail nowhere for L/B from 1e-4 to 1e3, Poisson's ratio from -0.9 to 1/2") {
   for (const double poisson : {-0.9, 0.5}) {
     for (const double ratio : {1e-4, 1.0, 1e3}) {
       CAPTURE(poisson, ratio);

@@ -31,7 +31,7 @@ LineResponse skew_line(Direction psi) {
 
 }  // namespace
 
-TEST_CASE("elliptic: Jacobi's functions, whatever the modulus") {
+TEST_CASE("elliptic: Jacobi's functions are accurate whatever the modulus") {
   double worst = 0;
   for (int i = 0; i < 400; ++i) {
     const double complement = std::pow(10., -0.01 * i), modulus = std::sqrt(1 - complement * complement);
@@ -52,7 +52,7 @@ TEST_CASE("elliptic: Jacobi's functions, whatever the modulus") {
   }
 }
 
-TEST_CASE("elliptic: a body slender across a sharply peaked compliance, which makes it long along that") {
+TEST_CASE("elliptic: the axis ratio of a slender body across a sharp peak of the compliance has 12 digits") {
   const double poisson = 0.43968265359691439;
   const double speed = (1 - 3.64e-8) * fast::isotropic_rayleigh_speed(poisson);
   const SurfaceResponse response = [&](Direction psi) {
@@ -92,7 +92,7 @@ TEST_CASE("elliptic: the search for an ellipse asks for no more lines than it di
   }
 }
 
-TEST_CASE("elliptic: skew solids under slender bodies") {
+TEST_CASE("elliptic: a slender body on a skew solid makes the line contact across it") {
   for (const double ratio : {1e-10, 1e-5, 1e5, 1e10}) {
     const EllipticContact contact(skew_line, {ratio, 1});
     const auto [value, error] = contact.axis_ratio();
@@ -106,7 +106,7 @@ TEST_CASE("elliptic: skew solids under slender bodies") {
   }
 }
 
-TEST_CASE("elliptic: a kinked compliance has an honest error") {
+TEST_CASE("elliptic: the stated error covers what a kink in the compliance costs") {
   const SurfaceResponse kinked = [](Direction psi) { return LineResponse{1 + std::fabs(psi.cosine), 0}; };
   const auto [value, error] = EllipticContact(kinked, {1, 1}).axis_ratio();
   // The integrand (1 + |cos|) cos(2 psi)/w^3 has its kink where panels always end. The turned one has it elsewhere.
@@ -118,7 +118,7 @@ TEST_CASE("elliptic: a kinked compliance has an honest error") {
   CHECK(other.error < 1e-12);
 }
 
-TEST_CASE("elliptic: bad input is one line that names it") {
+TEST_CASE("elliptic: bad input is refused") {
   CHECK_THROWS_AS(EllipticContact(isotropic(any_poisson, 0.95), {1, 1}), data::BadInput);
   CHECK_THROWS_AS(EllipticContact(skew_line, {1, not_a_number}), data::BadInput);
   CHECK_THROWS_AS(EllipticContact(skew_line, {1, -1}), data::BadInput);

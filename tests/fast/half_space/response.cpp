@@ -81,7 +81,7 @@ TEST_CASE("directions in degrees have two words, and none near 90 loses digits")
   CHECK_THROWS_AS(Direction::of_degrees(not_a_number), data::BadInput);
 }
 
-TEST_CASE("transversely isotropic half-space: smooth where A6 = 0 and M with it") {
+TEST_CASE("transversely isotropic half-space: the response is smooth where A6 = 0 and M with it") {
   // A6 = c44 sin^2 - density speed^2 cos^2 is zero, up to rounding errors.
   const TransverselyIsotropicSolid solid{32, 350, 14, 16, 8, 1};
   const Direction psi{12.0 / 13, 5.0 / 13}, motion{1, 0};
@@ -100,7 +100,7 @@ TEST_CASE("transversely isotropic half-space: smooth where A6 = 0 and M with it"
   }
 }
 
-TEST_CASE("critical speed: there the first line is critical, and none before") {
+TEST_CASE("critical speed: at it the first line is critical, and below it none is") {
   std::mt19937_64 generator(11);
   for (const SymmetryAxis axis : {SymmetryAxis::normal, SymmetryAxis::in_plane}) {
     for (int sample = 0; sample < 6; ++sample) {
@@ -128,7 +128,7 @@ TEST_CASE("critical speed: there the first line is critical, and none before") {
   }
 }
 
-TEST_CASE("critical speed: valleys of two bottoms, and such as are narrower than a degree") {
+TEST_CASE("critical speed: it is found in valleys of two bottoms and in those narrower than a degree") {
   const auto check = [](const TransverselyIsotropicSolid& solid, double theta, double shallow_psi) {
     const Direction motion = Direction::of_degrees(theta);
     const double speed = fast::critical_speed(solid, SymmetryAxis::in_plane, motion).speed;
@@ -155,7 +155,7 @@ TEST_CASE("critical speed: valleys of two bottoms, and such as are narrower than
   check({39.245, 11.428, 17, 1633.193, 0.013, 1}, 75.8, 17.889);
 }
 
-TEST_CASE("critical speed: refused where moduli are too far apart for the lines, or for the search of them") {
+TEST_CASE("critical speed: it is refused where moduli are too far apart for lines or the search of them") {
   const auto critical = [](const TransverselyIsotropicSolid& solid) {
     return fast::critical_speed(solid, SymmetryAxis::in_plane, Direction::of_degrees(50));
   };
@@ -167,7 +167,7 @@ TEST_CASE("critical speed: refused where moduli are too far apart for the lines,
                   data::BadInput);
 }
 
-TEST_CASE("transversely isotropic half-space: just below the critical speed a large number, or a refusal") {
+TEST_CASE("transversely isotropic half-space: just below the critical speed an answer is large or refused") {
   std::mt19937_64 generator(12);
   for (const SymmetryAxis axis : {SymmetryAxis::normal, SymmetryAxis::in_plane}) {
     const TransverselyIsotropicSolid solid = random_solid(generator);

@@ -72,7 +72,7 @@ TEST_CASE("rolling: the tractions give the slope and the stretch of the sphere o
   CHECK(worst < 5e-14);
 }
 
-TEST_CASE("rolling: compressive up to the compressed radius, and its force has an error") {
+TEST_CASE("rolling: the traction is compressive up to the compressed radius, and the force has an error") {
   const auto contact = rolling_sphere_for_span(steel, sphere_radius, 0.9, 1e-6);
   const RollingLine line = contact.along({1, 0});
   CHECK(line.normal_traction(line.compressed_radius().value * (1 - 1e-5)).value < 0);
@@ -80,7 +80,7 @@ TEST_CASE("rolling: compressive up to the compressed radius, and its force has a
   CHECK(contact.force().error > 0);  // at least the rounding error
 }
 
-TEST_CASE("rolling: bad input is one line that names it") {
+TEST_CASE("rolling: bad input is refused") {
   CHECK_THROWS_AS(rolling_sphere_for_span(steel, sphere_radius, not_a_number, 0.1), data::BadInput);
   CHECK_THROWS_AS(rolling_sphere_for_span(steel, 0, 0.5, 0.1), data::BadInput);
   CHECK_THROWS_AS(rolling_sphere_for_span(steel, sphere_radius, 0.5, -0.1), data::BadInput);

@@ -73,7 +73,7 @@ TEST_CASE("integrals over half a turn keep their digits at poles beside the dire
   }
 }
 
-TEST_CASE("integrals over half a turn: a jump, and noise that no rule can see through") {
+TEST_CASE("integrals over half a turn have errors that cover a jump, and noise that no rule resolves") {
   const auto jump =
       fast::half_turn_integral<1>([](Direction psi) { return std::array{psi.sine > 0.1 ? 1. : 0.}; })[0];
   CHECK(std::fabs(jump.value - std::acos(0.1)) <= jump.error);
@@ -84,7 +84,7 @@ TEST_CASE("integrals over half a turn: a jump, and noise that no rule can see th
   CHECK(noisy.error < 1e-7);
 }
 
-TEST_CASE("sliding: bad input is one line that names it") {
+TEST_CASE("sliding: bad input is refused") {
   const auto response = isotropic(any_poisson, 0.5);
   CHECK_THROWS_AS(sliding_for_span(response, die, 0.1, along_x1, 0), data::BadInput);
   CHECK_THROWS_AS(sliding_for_span(response, die, 0.1, along_x1, not_a_number), data::BadInput);

@@ -4,7 +4,7 @@
 
 using namespace nipref::fast;
 
-TEST_CASE("J5 under the load: no sign there, and nothing remembered before the start") {
+TEST_CASE("J5 under the load has no sign there, and remembers nothing before the start") {
   CHECK(J5(7, 0, 1, 2, 2) == 0);
   CHECK(J5(7, 5, 1, 0, 3) == 7);
   CHECK(J5(7, 5, 1, 0, -3) == -7);

@@ -23,7 +23,7 @@ double steady_I1(double alpha, double rate, Accuracy accuracy = {}) {
 
 }  // namespace
 
-TEST_CASE("steady memory with less accuracy") {
+TEST_CASE("the steady memory keeps every tolerance that is asked for") {
   for (const double alpha : {-40.0, -2.0, -0.7, -1e-5, 0.0, 1e-9, 0.3, 0.8, 1.5, 30.0}) {
     const double value = steady_I1(alpha, 0.8);
     for (const double rtol : {1e-3, 1e-6, 1e-8, 1e-12}) {
@@ -55,7 +55,7 @@ TEST_CASE("a way too short to be seen beside the distance still counts") {
   }
 }
 
-TEST_CASE("bad input to the moving load") {
+TEST_CASE("bad input to the moving load is refused by name") {
   CHECK_REFUSED(MovingLoad(softening_solid(1), 1, HUGE_VAL), "half_thickness = inf");
   CHECK_REFUSED(MovingLoad(softening_solid(-1), 1, 1), "theta1 rate = -1");
   const MovingLoad load(softening_solid(1), 1, 1), far(softening_solid(1), 90, 1e-12);

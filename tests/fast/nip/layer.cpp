@@ -6,7 +6,7 @@
 using namespace nipref::fast;
 using Complex = std::complex<double>;
 
-TEST_CASE("Dawson's integral: values of tables, and its equation D' = 1 - 2 z D for complex arguments") {
+TEST_CASE("Dawson's integral has the values of tables, and satisfies D' = 1 - 2 z D for complex arguments") {
   const auto complex_dawson = [](Complex z) {
     return -std::sqrt(std::numbers::pi) / 2 / (z * z) * LayerPressure(z * z)(1);
   };

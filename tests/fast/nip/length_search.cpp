@@ -30,7 +30,7 @@ double squared(double length) { return length * length; }
 
 }  // namespace
 
-TEST_CASE("length search: pure powers in three steps, whatever the exponent") {
+TEST_CASE("length search: a pure power takes three steps, whatever the exponent") {
   for (const double exponent : {1.0, 2.0, 3.0, 5.0, 6.0}) {
     CAPTURE(exponent);
     const Search search({7, 0.3, {.tolerance = 1e-13}},
@@ -42,7 +42,7 @@ TEST_CASE("length search: pure powers in three steps, whatever the exponent") {
   }
 }
 
-TEST_CASE("length search: between two powers, from six decades away") {
+TEST_CASE("length search: a length between two powers is found from six decades away") {
   const auto load_of = [](double length) { return length * length + std::pow(length, 5); };
   for (const double near : {1e-3, 1.0, 1e3}) {
     const Search search({load_of(0.7), near, {.tolerance = 1e-13}}, load_of);
@@ -82,7 +82,7 @@ TEST_CASE("length search: slow steps of an exponent that is not the secant's own
   CHECK(!search.met());
 }
 
-TEST_CASE("length search: up to a pole, behind which there is no load or too much of it") {
+TEST_CASE("length search: it approaches a pole, behind which there is no load or too much of it") {
   for (const double beyond : {-1.0, 1e9}) {
     for (const double load : {0.5, 30.0, 1e4}) {
       CAPTURE(beyond, load);
@@ -97,7 +97,7 @@ TEST_CASE("length search: up to a pole, behind which there is no load or too muc
   }
 }
 
-TEST_CASE("length search: back from lengths where there is no load") {
+TEST_CASE("length search: it comes back from lengths where there is no load") {
   for (const double lost : {0.0, -1.0, not_a_number}) {
     const Search search({1, 100, {.tolerance = 1e-12}},
                         [&](double length) { return length > 5 ? lost : length * length; });
@@ -109,7 +109,7 @@ TEST_CASE("length search: back from lengths where there is no load") {
   CHECK(std::isinf(never.residual()));
 }
 
-TEST_CASE("length search: not beyond the longest, and over as soon as that carries too little") {
+TEST_CASE("length search: it goes to the longest length at most, and ends if that carries too little") {
   const Search search({100, 1, {.tolerance = 1e-12, .longest = 2}}, squared);
   CHECK(!search.met());
   CHECK(search.found == doctest::Approx(2).epsilon(1e-15));

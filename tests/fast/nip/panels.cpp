@@ -27,7 +27,7 @@ TEST_CASE("panels leave no gap, each at least a quarter as wide as the one befor
   }
 }
 
-TEST_CASE("more terms where the singularities are nearer, fewer where the ends are forgotten") {
+TEST_CASE("panels have more terms where singularities are nearer, fewer where the ends are forgotten") {
   const auto terms = [](double half_length) { return panels(half_length, {23, 3.14, 2, {}}).front().terms; };
   CHECK(terms(0.1) < terms(1));
   CHECK(terms(1) < terms(1.4));

@@ -6,7 +6,7 @@ namespace nipref::fast::internal {
 
 using Complex = std::complex<double>;
 
-TEST_CASE("the exponential integral Ei of complex arguments: its equation, and tables on the real axis") {
+TEST_CASE("Ei satisfies its equation for complex arguments, and has the values of tables on the real axis") {
   CHECK(scaled_Ei(1.0).real() == approx(std::exp(-1) * 1.8951178163559368, 1e-14));
   CHECK(scaled_Ei(10.0).real() == approx(std::exp(-10) * 2492.2289762418777, 1e-14));
   for (const double size : {0.4, 2.4, 2.6, 12.0, 49.0, 51.0, 300.0}) {

@@ -46,7 +46,7 @@ TEST_CASE("a thick incompressible sheet has Carter's creep and zones") {
   }
 }
 
-TEST_CASE("dissimilar rollers: what the program CONTACT prints of its example bentall") {
+TEST_CASE("dissimilar rollers creep and slip as the program CONTACT prints of its example bentall") {
   // CONTACT has aluminium on steel, here a rigid roller is on the equivalent sheet. There it rolls to -x, x = -Y. Printed:
   // creep ratio, power over 1e9, boundaries of zones to an element's width 0.001 (eve70a/CONTACT, d431cdbd).
   struct Printed {

@@ -25,7 +25,7 @@ TEST_CASE("even kernels are even and odd ones odd, to the last bit") {
   }
 }
 
-TEST_CASE("no jump at any branch point") {
+TEST_CASE("kernels have no jump at any branch point") {
   // Values at neighbouring doubles may differ by the slope and by twice the promised error. The slope is taken from
   // points that are far enough apart.
   for (const Kernel& kernel : kernels()) {
@@ -67,7 +67,7 @@ TEST_CASE("odd kernels vanish at zero, linearly down to the denormal numbers") {
   }
 }
 
-TEST_CASE("logarithmic kernels down to the denormal numbers") {
+TEST_CASE("logarithmic kernels keep their digits down to the denormal numbers") {
   // I1 = -ln x - 0.35167539261870... + O(x^2). I6(a, e) - I1(a) tends to a number that does not depend on a as a -> 0.
   const double difference = nipref::fast::I6(1e-20, 0.7) - nipref::fast::I1(1e-20);
   for (const double x : {smallest, 3 * smallest, 0x1p-1022, 1e-300, 1e-100, 1e-20, 1e-9}) {
@@ -78,7 +78,7 @@ TEST_CASE("logarithmic kernels down to the denormal numbers") {
   }
 }
 
-TEST_CASE("limits at infinity") {
+TEST_CASE("kernels of large arguments are their limits at infinity") {
   for (const Kernel& kernel : kernels()) {
     const double limit = kernel.odd ? std::numbers::pi / 4 : 0;
     for (const double x : {400.0, 1e3, 1e20, largest}) CHECK(kernel.scalar(x, {}) == limit);

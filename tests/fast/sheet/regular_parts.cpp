@@ -5,7 +5,7 @@
 
 using namespace nipref;
 
-TEST_CASE("kernels less their logarithm: the sum, and one smooth function through 0 and through 1/2") {
+TEST_CASE("a kernel plus the logarithm is the sum of both, and one smooth function through 0 and 1/2") {
   const auto check = [](const auto& regular, const auto& kernel) {
     const auto at = [&](double alpha) {
       double value[] = {alpha};

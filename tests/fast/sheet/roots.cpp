@@ -5,7 +5,7 @@
 
 using namespace nipref::fast;
 
-TEST_CASE("bad input") {
+TEST_CASE("roots and plain sums of residues refuse bad input") {
   using nipref::data::BadInput;
   CHECK_THROWS_AS(sheet_root(1000001), BadInput);
   CHECK_THROWS_AS(plain_series_I1(0.0, 10), BadInput);

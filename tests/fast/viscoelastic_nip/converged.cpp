@@ -65,7 +65,7 @@ TEST_CASE("what is kept of one contact changes no other, shorter or longer") {
   }
 }
 
-TEST_CASE("two discretisations agree") {
+TEST_CASE("two discretisations of a rolling contact agree") {
   for (const double half_length : {1e-4, 0.4, 2.0, 15.0}) {
     for (const double rate_length : {0.01, 1.0, 30.0}) {  // half-length over the relaxation length
       CAPTURE(half_length, rate_length);

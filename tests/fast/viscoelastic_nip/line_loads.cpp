@@ -65,7 +65,7 @@ TEST_CASE("the load found is the load asked for") {
   CHECK_THROWS_AS(fast::line_loads_for_load(small, method(2, 2, 0), 1e12), data::BadInput);
 }
 
-TEST_CASE("the search for m2: the first from m1 down that leaves no tension") {
+TEST_CASE("the search for m2 finds the first number from m1 down that leaves no tension") {
   const auto at = [](double relaxation_length, int trailing) {
     return fast::line_loads_for_load(nip(relaxation_length), method(10, trailing), load);
   };
