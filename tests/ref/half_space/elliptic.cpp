@@ -6,7 +6,7 @@
 using namespace nipref;
 using ref::Exact;
 
-TEST_CASE("the reference's ellipse under a compliance with a narrow peak, wherever that lies") {
+TEST_CASE("the reference's ellipse turns with a narrow peak of the compliance") {
   // K = 1 + 1/(gap + sin^2(psi - peak)). The ellipse of a sphere turns with the peak.
   const auto peaked = [](double gap, const Exact& peak) -> ref::SurfaceAnswer {
     return [=](const Exact& degrees, int digits) -> ref::LineAnswer {

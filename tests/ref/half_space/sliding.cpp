@@ -6,7 +6,7 @@
 using namespace nipref;
 using ref::Exact;
 
-TEST_CASE("the reference's sliding contact next to the critical speed") {
+TEST_CASE("the reference's sliding force next to the critical speed is that of the closed form") {
   // K = 1/(1 - c cos^2), no friction: F/(C L^3) = (1/12) int K^2 dpsi/K(0)^3 = (pi/12) (1 - c)^(3/2) (1 - c/2).
   for (const double gap : {1e-3, 2e-6, 1e-9}) {
     const ref::SurfaceAnswer peaked = [gap](const Exact& degrees, int digits) -> ref::LineAnswer {
@@ -20,7 +20,7 @@ TEST_CASE("the reference's sliding contact next to the critical speed") {
   }
 }
 
-TEST_CASE("the reference's sliding contact where friction outweighs the compliance") {
+TEST_CASE("the reference's sliding exponent is right where friction outweighs the compliance") {
   // At rest K = 1 - nu and S = (1 - 2 nu)/2: next to the line across, h meets K within an angle of K/(friction S).
   const auto surface = isotropic_surface(0.25, 1e-30);
   CHECK(ref::sliding_exponent(surface, Exact(1000.0), Exact(0.0), 20).to_double() ==

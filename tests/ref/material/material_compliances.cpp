@@ -17,7 +17,7 @@ bool near(const Float& x, const Float& y) { return abs(x - y) <= 1e-38 * (1 + ab
 
 }  // namespace
 
-TEST_CASE("compliances: real rates and a conjugate pair, as they were put together") {
+TEST_CASE("compliances: real rates and a conjugate pair are found as they were put together") {
   const WorkingDigits working(40);
   // 2 + 3/(p + 1/7) + (p + 5)/(p^2 + 2 p + 10), the pair's rates 1 +- 3 i
   const Polynomial single{mpq_class(1, 7), 1}, pair{10, 2, 1};

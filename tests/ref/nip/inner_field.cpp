@@ -63,7 +63,7 @@ ref::PressureAndShear symmetric(const Float& left, const Float& right) {
 
 }  // namespace
 
-TEST_CASE("displacements are those of line loads, and their differences the strains of the stresses") {
+TEST_CASE("inner displacements are those of line loads, and their differences the strains of the stresses") {
   const ref::WorkingDigits working(32);
   const ref::FloatShares exact{Float(7) / 10, Float(3) / 10};
   const auto near = [](const Float& a, const Float& b, double error) {
@@ -98,7 +98,7 @@ TEST_CASE("displacements are those of line loads, and their differences the stra
   }
 }
 
-TEST_CASE("it is the sum of the proven fields of its line loads, pressure and shear, on both sides") {
+TEST_CASE("the inner field is the sum of the proven fields of its line loads, pressure and shear") {
   const ref::WorkingDigits working(32);
   for (const double half_length : {0.25, 1.0}) {
     const InnerField field({0, half_length, lopsided}, {18, 1, 1});
@@ -115,7 +115,7 @@ TEST_CASE("it is the sum of the proven fields of its line loads, pressure and sh
   }
 }
 
-TEST_CASE("under a short contact it is Hertz's half-plane in closed form, from the face to deep") {
+TEST_CASE("the inner field under a short contact is Hertz's in closed form, from the face to deep") {
   const ref::WorkingDigits working(40);
   const double a = 0x1p-56;  // the load, and with it the effect of the other face, is of this size
   const auto hertz = [&](const Float& left, const Float& right) -> ref::PressureAndShear {
@@ -141,7 +141,7 @@ TEST_CASE("under a short contact it is Hertz's half-plane in closed form, from t
   }
 }
 
-TEST_CASE("fields of different fineness and of more digits agree, beside the ends and faces too") {
+TEST_CASE("inner fields of different fineness and of more digits agree, beside the ends and faces too") {
   const ref::WorkingDigits working(40);
   const InnerField field({0.125, 0.5, lopsided}, {18, 1, 1}), finer({0.125, 0.5, lopsided}, {24, 1.3, 1});
   for (const double alpha : {0.625, 0.62499999999, 0.125, 40.0}) {
@@ -152,7 +152,7 @@ TEST_CASE("fields of different fineness and of more digits agree, beside the end
   }
 }
 
-TEST_CASE("on a face it has the tractions, and far away it is nothing but what the shear pulls") {
+TEST_CASE("the inner field has the tractions on a face, and far away is nothing but what the shear pulls") {
   const ref::WorkingDigits working(32);
   const InnerField field({0, 0.5, lopsided}, {18, 1, 1});
   const ref::PressureAndShear there = lopsided(Float(0.75), Float(0.25));

@@ -80,7 +80,7 @@ TEST_CASE("I6 with alpha = eta is as small as its residues, and still good") {
     check_promise(I6(exact(text), exact(text), 30), I6(exact(text), exact(text), 70));
 }
 
-TEST_CASE("parity in both arguments") {
+TEST_CASE("ref's kernels are even or odd, and I6 is so in both arguments") {
   const Exact x = exact("1.37");
   const Exact minus_x = exact("-1.37");
   for (const Kernel even : {I1, I7}) CHECK(even(x, 30).value_text() == even(minus_x, 30).value_text());
@@ -132,7 +132,7 @@ TEST_CASE("a proven bound is an estimate, too, but an estimate no proven bound")
   CHECK(estimated.error_of(1) == proven.error_of(1));
 }
 
-TEST_CASE("bad input is refused") {
+TEST_CASE("ref's kernels refuse bad input") {
   CHECK_REFUSED(I1(exact("0"), 20), "alpha = 0: must be nonzero: the kernel is infinite there");
   CHECK_THROWS_AS(I1(exact("1000.001"), 20), BadInput);
   for (const int digits : {15, 1001, -3}) {

@@ -8,7 +8,7 @@
 using namespace nipref;
 using ref::PlainKernel;
 
-TEST_CASE("ref plain series: the sums of so many residues in double, at either sign") {
+TEST_CASE("ref plain series: the sums of so many residues are those in double, at either sign") {
   for (const int terms : {1, 7, 500}) {
     for (const double alpha : {-0.003, 0.02, 0.7, -3.0, 40.0}) {
       std::array<double, 1> at{alpha}, I1{}, I3{}, I6{};

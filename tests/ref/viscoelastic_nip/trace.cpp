@@ -16,7 +16,7 @@ bool is_near(const ComplexFloat& x, const ComplexFloat& y) { return abs(x - y) <
 
 }  // namespace
 
-TEST_CASE("ref: what memories make of an exponential, whatever their rates") {
+TEST_CASE("ref: memories of all rates make of an exponential what the closed form says") {
   const WorkingDigits working(30);
   const auto falling = [](const Float& x) -> Float { return exp(-x); };
   const Trace trace({{0, 1, Root::none, 30}, {1, 3, Root::none, 40}}, falling, nats);
@@ -41,7 +41,7 @@ TEST_CASE("ref: what memories make of an exponential, whatever their rates") {
   CHECK(is_near(trace.faded(one, -1), {}));
 }
 
-TEST_CASE("ref: a trace with the roots of its ends") {
+TEST_CASE("ref: a trace with square roots at its ends is integrated as they are") {
   const WorkingDigits working(30);
   const auto root = [](const Float& x) -> Float { return sqrt(x < 1 ? x : Float(2 - x)); };
   const Trace trace({{0, 1, Root::left, 4}, {1, 1, Root::right, 4}}, root, nats);
@@ -56,7 +56,7 @@ TEST_CASE("ref: a trace with the roots of its ends") {
   CHECK(abs(trace.faded(rate, 1).re - weight * (1 - weight / 2)) <= weight * weight * weight);
 }
 
-TEST_CASE("ref: the way that a memory fades by") {
+TEST_CASE("ref: the faded integral of a power is that of the closed form") {
   const WorkingDigits working(30);
   CHECK(is_near(faded_power({}, 3, 0), ComplexFloat(3)));
   CHECK(is_near(faded_power({}, 3, 2), ComplexFloat(Float(9) / 2)));
