@@ -31,7 +31,7 @@ TEST_CASE("a drawn scene's text is a scene's file: what it says is read back to 
   }
 }
 
-TEST_CASE("scenes are drawn to the ends of their domains, and few are none") {
+TEST_CASE("scenes are drawn to the ends of their domains, and few are refused") {
   std::map<std::string, std::vector<double>> drawn_of;
   std::set<std::string> models;
   int refused = 0, loads = 0;

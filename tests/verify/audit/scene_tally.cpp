@@ -44,9 +44,10 @@ TEST_CASE("findings are summed by kind, with the worst five and the slowest scen
   CHECK(tallies[1].slowest.index == 1);
   CHECK_FALSE(tallies[1].kept());
   CHECK_FALSE(verify::all_kept(tallies));
+  CHECK(verify::summed({verify::SceneTally{}}).empty());
 }
 
-TEST_CASE("tallies of a kind are the same in any order, and as they are told") {
+TEST_CASE("tallies of a kind are the same in any order, and restored as they were stored") {
   const std::uint64_t kinds = verify::drawn_kinds().size();
   const std::vector<verify::SceneTally> all{findings(2 * kinds, 0.5, 0.3),
                                             findings(3 * kinds, 0, 0.1, "must not"),

@@ -178,7 +178,7 @@ TEST_CASE("a missed ratio of times fails a run only where it is strict, one of e
   CHECK(contains(bench_text({{}, {kept, slow}}), "with --strict only"));
 }
 
-TEST_CASE("slower is what is so in every round") {
+TEST_CASE("a speed is slower only if it is so in every round") {
   const auto speed = [](double second_round) {
     return verify::Speed({11.5, second_round, 13}, {10, 10, 10}, 0);
   };

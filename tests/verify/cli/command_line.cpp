@@ -177,7 +177,7 @@ std::vector<std::string> commands() {
 
 }  // namespace
 
-TEST_CASE("bad input: status 2, one line that names it, nothing on standard output") {
+TEST_CASE("bad input gives status 2, one line that names it, and nothing on standard output") {
   check_call_refused("", "verb = (missing)");
   check_call_refused("eval I1 \"alpha=1\n2\"", "alpha = 1 2");
   const std::string long_name(300, 'a');  // longer than a file's name may be
@@ -187,13 +187,13 @@ TEST_CASE("bad input: status 2, one line that names it, nothing on standard outp
   for (const TabledCall& bad : calls) check_bad_call(bad);
 }
 
-TEST_CASE("calls are answered: the text's words and the members in JSON, with the status") {
+TEST_CASE("calls are answered with the words, the members of JSON and the status of answers.txt") {
   const std::vector<TabledCall> calls = tabled_calls("answers.txt");
   CHECK(calls.size() > 90);
   for (const TabledCall& tabled : calls) check_answer(tabled, answered_once);
 }
 
-TEST_CASE("calls that follow each other: files that are made, kept, changed and refused") {
+TEST_CASE("calls that follow each other make, keep, change and refuse files as sessions.txt says") {
   check_sessions("sessions.txt");
 }
 

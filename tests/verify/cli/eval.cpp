@@ -20,7 +20,7 @@ TEST_CASE("a sweep's row is what eval says at its arguments, and rows come in th
   CHECK(std::stod(columns["eta"][39].get<std::string>()) == 10);
 }
 
-TEST_CASE("form=printed of a sphere that slides on graphite epoxy") {
+TEST_CASE("form=printed of a sphere that slides on graphite epoxy has the errors of the printed formulas") {
   const auto value = [](const std::string& arguments) {
     return answer_to("eval " + arguments)["results"].front()["value"].get<double>();
   };

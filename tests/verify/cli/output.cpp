@@ -7,7 +7,7 @@
 
 using nlohmann::json;
 
-TEST_CASE("the schema is what it is checked by: a name more, less or of another kind does not fit") {
+TEST_CASE("an answer with a name more, less or of another kind does not fit the schema") {
   const json good = answer_to("eval I1 alpha=0.73");
   const auto misfit_after = [&](const auto& change) {
     json bad = good;

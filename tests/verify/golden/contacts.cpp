@@ -25,7 +25,7 @@ GoldenFile unit_contact() {
 
 }  // namespace
 
-TEST_CASE("golden contacts: at least 200 of each kind, each confirmed, none twice") {
+TEST_CASE("there are at least 200 golden contacts of each kind, each confirmed, none twice") {
   std::map<std::string, std::size_t> rows;
   for (const std::string& kind : verify::contact_kinds()) {
     CAPTURE(kind);

@@ -24,7 +24,7 @@ Quantity with_wrong_reference(Quantity quantity, double part) {
 
 }  // namespace
 
-TEST_CASE("golden values of a kernel: all confirmed, of all origins, the same again") {
+TEST_CASE("golden values made for a kernel are confirmed, of all origins, and the same when made again") {
   const Quantity& quantity = verify::find_quantity("I4");
   const verify::GoldenOptions options{20, 40, "7"};
   const verify::MadeGolden made = verify::make_golden(quantity, options, nowhere);

@@ -41,7 +41,7 @@ TEST_CASE("the formulas as printed or tabulated fail where the right ones cannot
   CHECK(verify::printed("die_span_ratio_tabulated", {1.0 / 3, 0, 0.1, 5}) != Approx(die).epsilon(1e-4));
 }
 
-TEST_CASE("the papers' tables: what made each cell of the die and of the sphere, and what symmetry proves") {
+TEST_CASE("wrong formulas explain the cells of the die and the sphere, and symmetry proves others wrong") {
   const Replay& die = replayed("brock2012-1");
   for (const ReplayedCell& cell : die.cells) {
     CAPTURE(cell.row, cell.column);
@@ -62,7 +62,7 @@ TEST_CASE("the papers' tables: what made each cell of the die and of the sphere,
   }
 }
 
-TEST_CASE("the rule of verdicts") {
+TEST_CASE("a cell matches the corrected value, or a formula or a proof explains it as the seed's error") {
   const data::Table die = data::load_table_by_id("brock2012-1");  // the first cell is 0.9938
   const auto verdict = [](const data::Table& table, std::size_t row, const char* column, double corrected,
                           double formula, const std::string& proof) {

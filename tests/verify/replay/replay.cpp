@@ -57,7 +57,7 @@ void check_known(const std::vector<std::string>& row) {
 
 }  // namespace
 
-TEST_CASE("the matching rule: intervals meet or they do not") {
+TEST_CASE("a cell matches if the interval of its printed digits meets that of its replay") {
   const data::TableCell printed = cell("10.5", "10.5");  // [10.45, 10.55]
   CHECK(verify::assess(printed, {10.0, 11.0}) == Verdict::match);
   CHECK(verify::assess(printed, {10.54, 10.7}) == Verdict::match);
@@ -70,7 +70,7 @@ TEST_CASE("the matching rule: intervals meet or they do not") {
   CHECK(verify::assess(cell("10", "10.?"), {10.96, 11}) == Verdict::unexplained);
 }
 
-TEST_CASE("all tables, replayed once: what is known of them, and what is not met says why") {
+TEST_CASE("all tables are replayed as is known of them, and what is not met says why") {
   SUBCASE("cells that are known one by one") {
     const auto rows = table_rows("verify/replay/cells.txt");
     CHECK(rows.size() > 50);
@@ -218,7 +218,7 @@ TEST_CASE("the printed creep of Table III is rounded away from zero, and of no o
   }
 }
 
-TEST_CASE("corrected: the continuous contact at the stated load, which thick sheets are a sixth short of") {
+TEST_CASE("corrected cells are the continuous contact's, of whose length thick sheets lack a sixth") {
   verify::Replay replay = replayed("thesis-VII");
   verify::correct(replay);
   const data::ElasticNip nip = verify::nip_of_the_tables(replay.table);
@@ -254,7 +254,7 @@ TEST_CASE("what the mesh costs is measured from the rows as they were replayed, 
   CHECK(depth.largest == -1);
 }
 
-TEST_CASE("corrected with full friction has the shear and the creep of its own") {
+TEST_CASE("every cell with full friction is corrected, its creep to another than the replayed one") {
   verify::Replay replay = replayed("thesis-IV");
   verify::correct(replay);
   const auto json = nlohmann::json::parse(verify::tables_json({replay}).text());

@@ -80,7 +80,7 @@ TEST_CASE("where the thesis's last sum stopped is told by the even rows, and the
   }
 }
 
-TEST_CASE("corrected rolling tables: what stop, truncation, mesh and exponent cost") {
+TEST_CASE("corrected rolling tables tell what stop, truncation, mesh and exponent cost") {
   Replay replay = replayed("thesis-XI");
   REQUIRE(replay.nips.size() == replay.table.rows.size());
   for (const ReplayedCell& cell : replay.cells)

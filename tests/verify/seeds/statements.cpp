@@ -84,7 +84,7 @@ TEST_CASE("every claim says where it stands") {
   CHECK(ids.size() == 39);
 }
 
-TEST_CASE("claims, each decided once: by its numbers, which other programs found too and which have errors") {
+TEST_CASE("claims are decided by their numbers, which other programs found too and which have errors") {
   SUBCASE(
       "claims are decided by their numbers, which other programs found too: what falls, and what stands") {
     const auto rows = table_rows("verify/seeds/claims.txt");

@@ -43,7 +43,7 @@ TEST_CASE("energy balance: what has no memory loses nothing") {
   CHECK(balance.meets());
 }
 
-TEST_CASE("energy balance: a pressure that is wrong, and says so or not, shows") {
+TEST_CASE("energy balance: a wrong pressure is seen unless its stated error covers it") {
   const data::ViscoelasticNip nip = test::nip(0.1);
   const auto loss = [&](double lean, double error) {
     return verify::loss_integral(nip, -0.05, 0.05, [=](double y) -> fast::Estimate {

@@ -25,7 +25,7 @@ std::string wanting(const std::string& names) { return "title = \"x\"\nwanted = 
 
 }  // namespace
 
-TEST_CASE("a sphere at rest is Hertz's") {
+TEST_CASE("a sphere at rest makes Hertz's contact") {
   const auto contact = solved(wanting(R"("span_along", "approach", "peak_pressure", "axis_ratio")") +
                               isotropic_text + die_text + sliding("0.0") + load + exact);
   const double radius = contact["span_along"].value / 2;
@@ -49,7 +49,7 @@ TEST_CASE("a die turns with its motion, the material does not") {
   CHECK(along["span_along"].value != approx(across["span_along"].value, 1e-3));
 }
 
-TEST_CASE("a contact that is round to rounding lies anyhow") {
+TEST_CASE("a contact that is round to rounding does not know its orientation") {
   const auto solution = solved(
       "title = \"x\"\naccuracy = 9.5e-11\nwanted = [\"orientation\"]\n"
       "[half_space]\ndensity = 4780.772706457931\nmodel = \"isotropic\"\n"

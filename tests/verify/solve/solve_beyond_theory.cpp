@@ -60,7 +60,7 @@ TEST_CASE("a nip whose faces would meet is refused, of every kind and by both pa
   }
 }
 
-TEST_CASE("so it is where the load is given, and for the balance of its energy") {
+TEST_CASE("a nip whose faces would meet is refused where the load is given, and for its energy balance") {
   // B = 0.25: springs p = 2 u/(N b) under the parabola carry 2.7e5 when the roller goes in by half of the sheet.
   const auto loaded = [](const std::string& example, const std::string& load) {
     return loaded_example(

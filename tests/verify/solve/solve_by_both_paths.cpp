@@ -101,7 +101,7 @@ TEST_CASE(
   CHECK(kinds == rows_of_proven("contact").size());
 }
 
-TEST_CASE("the shear of a grip has a reversal more on thinner sheets, where both paths have it") {
+TEST_CASE("with full friction the shear reverses once more on thinner sheets, where both paths have it") {
   for (const auto& [length, zeros] : {std::pair("0.3", 1U), std::pair("1.5", 2U), std::pair("6", 2U)}) {
     const auto [fast, by_ref] = by_both_paths(
         loaded_example("thin-given-length",

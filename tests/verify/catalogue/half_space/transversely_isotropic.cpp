@@ -23,7 +23,7 @@ constexpr double in_plane = 1;
 
 }  // namespace
 
-TEST_CASE("half-spaces in degrees, GPa and speeds of steel: what once was beyond the promise") {
+TEST_CASE("half-spaces in degrees, GPa and speeds of steel keep the promise where they once did not") {
   check_kept("halfspace.coupling", {0x1.fffff94a03595p-2, 0x1.e91e97e2fdb23p-1, 45});
   check_kept("rolling.index", {0x1.3333333333333p-2, 0x1.dad5d6ac2bda0p-1, 0});
   // A moment is nearly 0 here. No number of panels resolves its rounding errors.
