@@ -13,6 +13,7 @@ namespace nipref::fast {
 /// Chebyshev points: U = A K B^T, K the rests between these.
 class SlopeKernels {
  public:
+  SlopeKernels() = default;
   /// All points are between 0 and `length`.
   SlopeKernels(double length, const Eigen::ArrayXd& targets, const Eigen::ArrayXd& sources);
 

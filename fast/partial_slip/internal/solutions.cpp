@@ -116,10 +116,10 @@ std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneConta
   double of_whole = relative_difference(*first, second, mu),
          of_boundaries = boundary_difference(*first, second);
   // By chance the first may agree with the second. A rougher contact shows the error of the first, too, because errors
-  // fall like e^(-0.8 nats) or faster, see ZoneMesh::boundary().
+  // fall like e^(-2 nats/3) or faster, see ZoneMesh::boundary().
   constexpr double rougher_by = 3;
   if (const auto rougher = solved(nats - rougher_by)) {
-    const double fall = std::exp(-0.8 * rougher_by);
+    const double fall = std::exp(-2.0 / 3 * rougher_by);
     of_whole = std::max(of_whole, fall * relative_difference(*rougher, second, mu));
     of_boundaries = std::max(of_boundaries, fall * boundary_difference(*rougher, second));
   }

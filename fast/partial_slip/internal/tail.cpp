@@ -31,17 +31,17 @@ const std::array<double, 22>& factors_of_alternating_sum() {
 
 }  // namespace
 
-Tail::Tail(const Eigen::Array3d& powers, double step)
+Tail::Tail(const Powers& powers, double step)
     : decays_(powers * step), spacing_(std::max(1, static_cast<int>(std::lround(1 / step)))) {
-  Eigen::Matrix3d values;
-  for (int node = 0; node < 3; ++node)
+  Square values;
+  for (int node = 0; node < terms; ++node)
     values.row(node) = (node * spacing_ * decays_).exp().matrix().transpose();
   of_powers_ = values.inverse();
 }
 
-Eigen::Vector3d Tail::sinc_sum(double steps) const {
-  Eigen::Array3d sum = Eigen::Array3d::Zero(), powers = Eigen::Array3d::Ones();
-  const Eigen::Array3d ratios = (-decays_).exp();
+Tail::Parts Tail::sinc_sum(double steps) const {
+  Powers sum = Powers::Zero(), powers = Powers::Ones();
+  const Powers ratios = (-decays_).exp();
   double place = steps;
   for (std::size_t k = 0; k < factors_of_alternating_sum().size(); ++k) {
     place += 1;

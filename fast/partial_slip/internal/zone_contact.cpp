@@ -21,10 +21,11 @@ constexpr double far = 36;
 
 }  // namespace
 
-ZoneContact::ZoneContact(ZoneEquations solved) : equations_(std::move(solved)), forces_(equations_.forces()) {
-  const auto tractions = equations_.unknowns().head(mesh().unknowns());
+ZoneContact::ZoneContact(std::shared_ptr<const ZoneEquations> solved)
+    : equations_(std::move(solved)), forces_(equations_->forces()) {
+  const auto tractions = equations_->unknowns().head(mesh().unknowns());
   const ArrayXd pressure = mesh().at_midpoints().pressure * tractions,
-                shear = mesh().at_midpoints().shear * tractions, slip = equations_.misfits().along;
+                shear = mesh().at_midpoints().shear * tractions, slip = equations_->misfits().along;
   for (const ZoneMesh::Midpoint& point : mesh().midpoints()) {
     const auto i = static_cast<Index>(samples_.size());
     samples_.push_back({point, mesh().zone(point), mesh().sign(point), mesh().place(point),
@@ -60,21 +61,21 @@ bool ZoneContact::is_like(const ZoneContact& other) const {
 }
 
 std::optional<ZoneContact> ZoneContact::solved(const PartialSlipTask& task, const Zones& zones, double nats) {
-  ZoneEquations equations(task, zones, nats);
-  if (!equations.solve()) return std::nullopt;
-  return ZoneContact(std::move(equations));
+  const auto equations = std::make_shared<ZoneEquations>(task, zones, nats);
+  if (!equations->solve()) return std::nullopt;
+  return ZoneContact(equations);
 }
 
 std::optional<ZoneContact> ZoneContact::solved(const PartialSlipTask& task, const ZoneContact& near,
                                                double nats) {
-  ZoneEquations equations(task, near.zones(), nats);
-  Eigen::VectorXd unknowns = equations.unknowns();
-  unknowns << equations.mesh().unknowns_of([&](const ZoneMesh::Point& point) {
-    return near.traction_at(near.mesh().point_at(equations.mesh().place(point)));
+  const auto equations = std::make_shared<ZoneEquations>(task, near.zones(), nats);
+  Eigen::VectorXd unknowns = equations->unknowns();
+  unknowns << equations->mesh().unknowns_of([&](const ZoneMesh::Point& point) {
+    return near.traction_at(near.mesh().point_at(equations->mesh().place(point)));
   }),
       near.leading_length(), near.creep();
-  if (!equations.solve_from(unknowns)) return std::nullopt;
-  return ZoneContact(std::move(equations));
+  if (!equations->solve_from(unknowns)) return std::nullopt;
+  return ZoneContact(equations);
 }
 
 double ZoneContact::corresponding_place(const ZoneContact& other, double e) const {
@@ -94,14 +95,14 @@ double ZoneContact::corresponding_place(const ZoneContact& other, double e) cons
 ZoneContact::Traction ZoneContact::traction_at(const ZoneMesh::Point& point) const {
   Traction sum{0, 0};
   for (const ZoneMesh::Share& share : mesh().shares(point)) {
-    sum.pressure += share.pressure * equations_.unknowns()(share.unknown);
-    sum.shear += share.shear * equations_.unknowns()(share.unknown);
+    sum.pressure += share.pressure * equations_->unknowns()(share.unknown);
+    sum.shear += share.shear * equations_->unknowns()(share.unknown);
   }
   return sum;
 }
 
 double ZoneContact::moment() const {
-  return (forces_.normal * (leading_length() - equations_.places(mesh().nodes()))).sum();
+  return (forces_.normal * (leading_length() - equations_->places(mesh().nodes()))).sum();
 }
 
 ZoneContact::Traction ZoneContact::traction(double e) const {
@@ -111,7 +112,7 @@ ZoneContact::Traction ZoneContact::traction(double e) const {
 
 ZoneContact::Displacement ZoneContact::displacement_under(double distance, const Traction& load) const {
   // I3/pi less its jump, whose derivative is the local term of the strains.
-  const double coupling = (I3(distance) - std::copysign(equations_.task().beta * pi / 2, distance)) / pi;
+  const double coupling = (I3(distance) - std::copysign(equations_->task().beta * pi / 2, distance)) / pi;
   return {I1(distance) / pi * load.pressure - coupling * load.shear,
           coupling * load.pressure + I6(distance, 0) / pi * load.shear};
 }
@@ -149,7 +150,7 @@ double ZoneContact::strain(double e) const {
       if (std::fabs(node.s) < far) add(mesh().distance(point, node), mesh().weight(node) * traction_at(node));
     }
   }
-  return strain - equations_.task().beta * traction_at(point).pressure;
+  return strain - equations_->task().beta * traction_at(point).pressure;
 }
 
 int ZoneContact::sign(double e) const { return mesh().sign(mesh().point_at(e)); }

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -21,18 +22,18 @@ class ZoneContact {
   /// stick between opposite slips shrinks with the mesh.
   [[nodiscard]] bool is_like(const ZoneContact& other) const;
 
-  [[nodiscard]] const Zones& zones() const { return equations_.zones(); }
-  [[nodiscard]] double length() const { return equations_.length(); }
-  [[nodiscard]] double leading_length() const { return equations_.leading_length(); }  ///< L1
-  [[nodiscard]] double creep() const { return equations_.creep(); }
+  [[nodiscard]] const Zones& zones() const { return equations_->zones(); }
+  [[nodiscard]] double length() const { return equations_->length(); }
+  [[nodiscard]] double leading_length() const { return equations_->leading_length(); }  ///< L1
+  [[nodiscard]] double creep() const { return equations_->creep(); }
   [[nodiscard]] double load() const { return forces_.normal.sum(); }
   [[nodiscard]] double tangential_load() const { return forces_.tangential.sum(); }
   /// D, the displacement that the rollers impose on the surface at the line through their centres.
   [[nodiscard]] double approach() const {
     return displacement(0).normal + leading_length() * leading_length();
   }
-  [[nodiscard]] Eigen::Index unknowns() const { return equations_.unknowns().size(); }
-  [[nodiscard]] Eigen::VectorXd rounding_of_ends() const { return equations_.rounding_of_ends(); }
+  [[nodiscard]] Eigen::Index unknowns() const { return equations_->unknowns().size(); }
+  [[nodiscard]] Eigen::VectorXd rounding_of_ends() const { return equations_->rounding_of_ends(); }
   /// int p (L1 - e) de
   [[nodiscard]] double moment() const;
   /// -int q (v' - creep) de
@@ -85,8 +86,8 @@ class ZoneContact {
   [[nodiscard]] double step() const { return mesh().step(); }
 
  private:
-  explicit ZoneContact(ZoneEquations solved);
-  [[nodiscard]] const ZoneMesh& mesh() const { return equations_.mesh(); }
+  explicit ZoneContact(std::shared_ptr<const ZoneEquations> solved);
+  [[nodiscard]] const ZoneMesh& mesh() const { return equations_->mesh(); }
   [[nodiscard]] double slope(const ZoneMesh::Point& point, double Traction::*part) const;
   /// The largest |q/p| between a sample that sticks and the next one, 0 for others.
   [[nodiscard]] double ratio_after(const ZoneMesh::Point& point) const;
@@ -99,7 +100,7 @@ class ZoneContact {
   template <class Add>
   void for_nodes_beyond(int panel, double e, const Add& add) const;
 
-  ZoneEquations equations_;
+  std::shared_ptr<const ZoneEquations> equations_;  ///< which copies of a contact share
   ZoneEquations::Forces forces_;
   std::vector<Sample> samples_;
 };

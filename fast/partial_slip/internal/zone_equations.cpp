@@ -23,6 +23,20 @@ std::vector<Index> matched(const std::vector<ZoneMesh::Midpoint>& midpoints,
   return all;
 }
 
+/// Consecutive numbers in a list: where they stand in it, the first one, and their count.
+struct Run {
+  Index place, first, count;
+};
+std::vector<Run> runs_of(const std::vector<Index>& numbers) {
+  std::vector<Run> runs;
+  for (Index i = 0; i < std::ssize(numbers); ++i) {
+    const Index number = numbers[static_cast<std::size_t>(i)];
+    if (runs.empty() || number != runs.back().first + runs.back().count) runs.push_back({i, number, 0});
+    ++runs.back().count;
+  }
+  return runs;
+}
+
 Sparse rows_of(const Sparse& matrix, const std::vector<Index>& rows) {
   Sparse choice(std::ssize(rows), matrix.rows());
   for (std::size_t i = 0; i < rows.size(); ++i) choice.insert(static_cast<Index>(i), rows[i]) = 1;
@@ -39,8 +53,9 @@ ZoneEquations::ZoneEquations(const PartialSlipTask& task, const Zones& zones, do
       along_(matched(mesh_.midpoints(), &ZoneMesh::Midpoint::matches_along)),
       shear_here_(rows_of(mesh_.at_midpoints().shear, normal_)),
       pressure_here_(rows_of(mesh_.at_midpoints().pressure, along_)),
-      kernels_(kernels()),
-      unknowns_(Eigen::VectorXd::Zero(mesh_.unknowns() + 2)) {}
+      unknowns_(Eigen::VectorXd::Zero(mesh_.unknowns() + 2)) {
+  set_kernels();
+}
 
 bool ZoneEquations::solve() {
   if (!is_square()) return false;
@@ -68,11 +83,9 @@ ZoneEquations::Forces ZoneEquations::forces() const {
           weights.cwiseProduct(mesh_.at_nodes().shear * tractions)};
 }
 
-std::shared_ptr<const ZoneEquations::Kernels> ZoneEquations::kernels() const {
-  Eigen::MatrixXd cauchy = mesh_.distances();
-  cauchy = (-pi * cauchy).cwiseInverse();
-  return std::make_shared<const Kernels>(
-      Kernels{std::move(cauchy), {length(), places(mesh_.midpoints()), places(mesh_.nodes())}});
+void ZoneEquations::set_kernels() {
+  mesh_.set_cauchy_kernels(kernels_.cauchy);
+  kernels_.rest = {length(), places(mesh_.midpoints()), places(mesh_.nodes())};
 }
 
 ZoneEquations::Misfits ZoneEquations::misfits() const {
@@ -81,12 +94,13 @@ ZoneEquations::Misfits ZoneEquations::misfits() const {
                         q_here = mesh_.at_midpoints().shear * tractions;
   const Forces forces = this->forces();
   const Eigen::VectorXd normal = forces.normal, tangential = forces.tangential;
-  const Rows rest = kernels_->rest.values(normal, tangential);
-  Eigen::VectorXd across = kernels_->cauchy * normal, along = kernels_->cauchy * tangential;
-  across += rest.normal;
-  across += task_.beta * q_here;
-  along += rest.along;
-  along -= task_.beta * p_here;
+  const Rows rest = kernels_.rest.values(normal, tangential);
+  Eigen::VectorXd across = rest.normal + task_.beta * q_here, along = rest.along - task_.beta * p_here;
+  for (Index j = 0; j < normal.size(); ++j) {
+    const auto kernel = kernels_.cauchy.col(j);
+    across += normal(j) * kernel;
+    along += tangential(j) * kernel;
+  }
   return {across.array() - 2 * (leading_length() - places(mesh_.midpoints())), along.array() - creep()};
 }
 
@@ -97,7 +111,7 @@ Eigen::MatrixXd ZoneEquations::extents(const auto& points) const {
 }
 
 ZoneEquations::Rows ZoneEquations::by_lengths() const {
-  const auto& [cauchy, rest] = *kernels_;
+  const auto& [cauchy, rest] = kernels_;
   // The length of a zone moves midpoints and nodes, and changes the weights of the zone's nodes.
   const Forces forces = this->forces();
   const Eigen::VectorXd normal = forces.normal, tangential = forces.tangential;
@@ -131,14 +145,14 @@ void ZoneEquations::add_of_cauchy(const Eigen::MatrixXd& cauchy, const Eigen::Ve
     for (const bool ahead : {false, true}) {
       const Index row = ahead ? 0 : first + own, rows = ahead ? first : cauchy.rows() - row;
       const auto kernel = cauchy.block(row, node, rows, nodes);
-      const Eigen::MatrixXd squares = (ahead ? -pi : pi) * kernel.cwiseAbs2();
-      const Eigen::VectorXd within = Eigen::VectorXd::NullaryExpr(nodes, [&](Index j) {
-        return mesh_.from_end(mesh_.nodes()[static_cast<std::size_t>(node + j)], !ahead);
-      });
-      auto of_zone = by_lengths.col(b).segment(row, rows);
-      of_zone += kernel * force;
-      of_zone += squares * force.cwiseProduct(within);
-      const Eigen::VectorXd sums = squares * force;
+      auto of_zone = by_lengths.col(b).segment(row, rows).array();
+      ArrayXd sums = ArrayXd::Zero(rows);
+      for (Index j = 0; j < nodes; ++j) {
+        const double within = mesh_.from_end(mesh_.nodes()[static_cast<std::size_t>(node + j)], !ahead);
+        const ArrayXd grows = ((ahead ? -pi : pi) * force(j)) * kernel.col(j).array().square();
+        of_zone += force(j) * kernel.col(j).array() + within * grows;
+        sums += grows;
+      }
       for (Index i = 0; i < rows; ++i) {
         const ZoneMesh::Point& here = mesh_.midpoints()[static_cast<std::size_t>(row + i)];
         const Index a = mesh_.zone(here);
@@ -178,7 +192,7 @@ Eigen::VectorXd ZoneEquations::rounding_of_ends() const {
   const auto tractions = unknowns_.head(mesh_.unknowns());
   const Eigen::VectorXd p_here = mesh_.at_midpoints().pressure * tractions,
                         q_here = mesh_.at_midpoints().shear * tractions;
-  const Eigen::MatrixXd cauchy = kernels_->cauchy.cwiseAbs();
+  const Eigen::MatrixXd cauchy = kernels_.cauchy.cwiseAbs();
   const Eigen::VectorXd across = cauchy * normal, along = cauchy * tangential;
   const double rest = largest_rest * (normal.sum() + tangential.sum());
   const Eigen::VectorXd sizes =
@@ -199,17 +213,17 @@ Eigen::MatrixXd ZoneEquations::jacobian() const {
   const Eigen::VectorXd weights = this->weights();
   const Sparse pressure = weights.asDiagonal() * mesh_.at_nodes().pressure,
                shear = weights.asDiagonal() * mesh_.at_nodes().shear;
-  const Rows rest = kernels_->rest.at_points(pressure, shear), by_lengths = this->by_lengths();
+  const Rows rest = kernels_.rest.at_points(pressure, shear), by_lengths = this->by_lengths();
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(lengths + zones, lengths + zones);
   Index row = 0;
   const auto add = [&](const std::vector<Index>& matched, const Sparse& forces,
                        const Eigen::MatrixXd& rest_at_points, const Sparse& here,
                        const Eigen::MatrixXd& of_lengths) {
-    const Eigen::MatrixXd cauchy = kernels_->cauchy(matched, Eigen::all);
     auto rows = jacobian.middleRows(row, std::ssize(matched));
     auto by_tractions = rows.leftCols(unknowns);
-    add_product(cauchy, forces, by_tractions);
-    add_product(kernels_->rest.to_targets(matched), rest_at_points, by_tractions);
+    for (const auto& [place, first, count] : runs_of(matched))
+      add_product(kernels_.cauchy.middleRows(first, count), forces, by_tractions.middleRows(place, count));
+    add_product(kernels_.rest.to_targets(matched), rest_at_points, by_tractions);
     by_tractions += here;
     rows.rightCols(zones) = of_lengths(matched, Eigen::all);
     row += rows.rows();
@@ -292,7 +306,7 @@ bool ZoneEquations::converges(Elimination& derivatives) {
             return zone.length < shortest_zone * length();
           }))
         return false;
-      kernels_ = kernels();
+      set_kernels();
       remains = residual();
       if (size < short_step || size_of(derivatives.solve(remains)) < (1 - part / 4) * size) break;
       if (part < least_part) return false;

@@ -1,7 +1,6 @@
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
-#include <memory>
 #include <vector>
 
 #include <nipref/fast/number/internal/linear_system.hpp>
@@ -61,7 +60,7 @@ class ZoneEquations {
     Eigen::MatrixXd cauchy;
     SlopeKernels rest;
   };
-  [[nodiscard]] std::shared_ptr<const Kernels> kernels() const;
+  void set_kernels();
   using Rows = SlopeKernels::Rows;
   /// The derivatives of the misfits with respect to the logarithms of the zones' lengths. add_of_cauchy adds those of
   /// the sums of Cauchy's kernels over given forces at the nodes.
@@ -104,7 +103,7 @@ class ZoneEquations {
   ZoneMesh mesh_;
   std::vector<Index> normal_, along_;  ///< the midpoints at which the equations of u' and of v' hold
   Eigen::SparseMatrix<double> shear_here_, pressure_here_;  ///< of unit unknowns at these midpoints
-  std::shared_ptr<const Kernels> kernels_;  ///< of the present zones; copies of a contact share them
+  Kernels kernels_;                                         ///< of the present zones
   Eigen::VectorXd unknowns_;
   Eigen::MatrixXd lengths_by_equations_;  ///< rows of J^-1 as columns, a column for each zone
 };

@@ -83,23 +83,22 @@ ZoneMesh::PanelEnd ZoneMesh::end(std::size_t panel, bool is_right, const Partial
                        : boundary(own, panels_[is_right ? panel + 1 : panel - 1], is_right, task);
 }
 
-ZoneMesh::TractionEnd ZoneMesh::traction_end(double first, double second, double third, double reach) const {
-  // In the last node the envelope is e^(-0.2 nats) or more. Next to a boundary where slip turns into stick this is
+ZoneMesh::TractionEnd ZoneMesh::traction_end(const Tail::Powers& powers, double reach) const {
+  // In the last node the envelope is e^(-0.2 nats) or more. Next to a boundary where slip turns into stick it is about
   // t^(1/2), and the error of the interpolation is that of a boundary which is wrong by e^-nats. A smaller envelope
   // would carry errors of the tractions there to the other nodes.
-  const double least = std::min({first, second, third}),
-               of_envelope = std::min(least, 0.2 * smooth_nats() / reach);
-  return {least, of_envelope, Tail(Eigen::Array3d(first, second, third) - of_envelope, step_)};
+  const double least = powers.minCoeff(), of_envelope = std::min(least, 0.2 * smooth_nats() / reach);
+  return {least, of_envelope, Tail(powers - of_envelope, step_)};
 }
 
 ZoneMesh::PanelEnd ZoneMesh::end_of_contact(const Panel& own, bool is_right,
                                             const PartialSlipTask& task) const {
   PanelEnd end;
   const double power = 0.5 + (is_right ? 1 : -1) * shift_of_power(own.sign, task);
-  // The power that is left out is power + 3, but the dissipation sums its terms as far as the nodes reach. Nodes up to
-  // nats show a missing zone of slip at the end, which is left out if it is shorter than the accuracy.
-  end.reach = own.sign == 0 && task.beta > 0 ? nats_ : 0.4 * nats_;
-  end.pressure = end.shear = traction_end(power, power + 1, power + 2, end.reach);
+  // At `reach` the first power that the tail leaves out, with the tail's factor e^6, is e^-nats. Where the end sticks,
+  // nodes up to nats show a missing zone of slip, which is left out if it is shorter than the accuracy.
+  end.reach = own.sign == 0 && task.beta > 0 ? nats_ : (nats_ + 6) / (power + 4);
+  end.pressure = end.shear = traction_end({power, power + 1, power + 2, power + 3}, end.reach);
   end.depth = (nats_ + 1.5 * end.reach) / (1 + power);
   // Where slip turns around nearer to the end than this, zones that are left out change the creep by less than e^-nats.
   end.checked = std::max(nats_, 1.25 * end.reach);
@@ -109,19 +108,19 @@ ZoneMesh::PanelEnd ZoneMesh::end_of_contact(const Panel& own, bool is_right,
 ZoneMesh::PanelEnd ZoneMesh::boundary(const Panel& own, const Panel& other, bool is_right,
                                       const PartialSlipTask& task) const {
   PanelEnd end;
-  // Beyond `reach` the powers of t leave out one that is e^-nats there. The place of a boundary where slip turns into
-  // stick is determined by the absence of t^(1/2 + a): its error is the ratio of the power left out to this one, t^2 or
-  // e^(-0.8 nats).
+  // At `reach` the first power that a tail leaves out, with the tail's factor, e^3 for powers 1/2 apart, is e^-nats.
+  // The place of a boundary where slip turns into stick is determined by the absence of t^(1/2 + a). Its error is the
+  // ratio of t^3, which is left out, to this power. As |a| < 1/2, it falls like e^(-2 nats/3) or faster.
   if (other.zone == own.zone) {
-    end.reach = nats_ / 4;
-    end.pressure = end.shear = traction_end(1, 2, 3, end.reach);
+    end.reach = (nats_ + 6) / 5;
+    end.pressure = end.shear = traction_end({1, 2, 3, 4}, end.reach);
   } else {
     const bool sticks_then_slips = (own.sign == 0) == is_right;
     const double a = shift_of_power(own.sign + other.sign, task),
                  power = sticks_then_slips ? 0.5 - a : 1.5 + a;
-    end.reach = sticks_then_slips ? nats_ / 2 : smooth_nats() / (power + 1);
-    end.shear = traction_end(power, power + 1, 2, end.reach);
-    end.pressure = traction_end(1, power, sticks_then_slips ? power + 1 : 2, end.reach);
+    end.reach = sticks_then_slips ? (nats_ + 3) / (power + 2) : (smooth_nats() + 3) / 3;
+    end.shear = traction_end({power, power + 1, 2, sticks_then_slips ? power + 2 : 3}, end.reach);
+    end.pressure = traction_end({1, power, power + 1, 2}, end.reach);
     end.has_extra_equation = own.sign == 0 && !sticks_then_slips;
   }
   // Forces beyond `depth`, like t^(1 + least power), act on the last unknown from the distance e^-reach. The last node
@@ -218,7 +217,7 @@ double ZoneMesh::distance(const Point& a, const Point& b) const {
   return -(length * a.right + gaps_[at(a.panel)][at(b.panel)] + panels_[at(b.panel)].length * b.left);
 }
 
-Eigen::MatrixXd ZoneMesh::distances() const {
+void ZoneMesh::set_cauchy_kernels(Eigen::MatrixXd& kernels) const {
   const auto of_midpoints = [&](double Point::*part) {
     return Eigen::ArrayXd::NullaryExpr(std::ssize(midpoints_),
                                        [&](Eigen::Index i) { return midpoints_[at(i)].*part; })
@@ -226,25 +225,24 @@ Eigen::MatrixXd ZoneMesh::distances() const {
   };
   const Eigen::ArrayXd power = of_midpoints(&Point::power), left = of_midpoints(&Point::left),
                        right = of_midpoints(&Point::right);
-  Eigen::MatrixXd distances(midpoints_.size(), nodes_.size());
+  kernels.resize(std::ssize(midpoints_), std::ssize(nodes_));
   for (std::size_t a = 0; a < panels_.size(); ++a) {
     const auto own = std::ranges::equal_range(midpoints_, static_cast<int>(a), {}, &Midpoint::panel);
     const auto rows = Eigen::seqN(own.begin() - midpoints_.begin(), std::ssize(own));
     const double length = panels_[a].length;
-    for (Eigen::Index j = 0; j < distances.cols(); ++j) {
+    for (Eigen::Index j = 0; j < kernels.cols(); ++j) {
       const Point& node = nodes_[at(j)];
       const std::size_t b = at(node.panel);
       const double nodes_length = panels_[b].length;
-      auto column = distances.col(j)(rows).array();
+      auto column = kernels.col(j)(rows).array();
       if (a == b)
-        column = (length * node.right) * (power(rows) - node.power) * right(rows);
+        column = -1 / ((pi * length * node.right) * (power(rows) - node.power) * right(rows));
       else if (a < b)
-        column = -(length * right(rows) + (gaps_[a][b] + nodes_length * node.left));
+        column = 1 / (pi * length * right(rows) + pi * (gaps_[a][b] + nodes_length * node.left));
       else
-        column = length * left(rows) + (gaps_[b][a] + nodes_length * node.right);
+        column = -1 / (pi * length * left(rows) + pi * (gaps_[b][a] + nodes_length * node.right));
     }
   }
-  return distances;
 }
 
 double ZoneMesh::from_end(const Point& point, bool right) const {
@@ -312,8 +310,9 @@ void ZoneMesh::add_nodes(const Panel& panel, const Point& point, Shares& shares)
     if (panel.sign == 0) shares.push_back({panel.shear + number, 0, size.shear * shear});
   };
   const auto add_tail = [&](const PanelEnd& end, int last, int inwards, const auto& parts_of) {
-    const Eigen::Vector3d pressure = parts_of(end.pressure.tail), shear = parts_of(end.shear.tail);
-    for (int k = 0; k < 3; ++k) add(last + k * inwards * end.pressure.tail.spacing(), pressure(k), shear(k));
+    const Tail::Parts pressure = parts_of(end.pressure.tail), shear = parts_of(end.shear.tail);
+    for (int k = 0; k < Tail::terms; ++k)
+      add(last + k * inwards * end.pressure.tail.spacing(), pressure(k), shear(k));
   };
   const double before = panel.first_node - steps, beyond = steps - panel.last_node;
   if (before > 0)

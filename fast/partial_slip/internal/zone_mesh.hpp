@@ -29,7 +29,7 @@ namespace nipref::fast {
 ///     p = p(0) + t + |t|^(3/2 + a), q - sign mu p = t^(3/2 + a)   where it slips and then sticks,
 /// where t^(1/2 + a) would be slip along the shear. (These powers solve the equations with the Cauchy kernels alone,
 /// by int_0^inf s^b/(t - s) ds = pi cot(pi b) t^b.) Before the first node and beyond the last one the tractions are
-/// continued by the first three of these powers. The boundary values p(0) are unknowns. A hat function, 1 at the
+/// continued by the first four of these powers. The boundary values p(0) are unknowns. A hat function, 1 at the
 /// boundary, spreads such a value over both panels. It falls to 0 at their other ends like t, or at an end of the
 /// contact like the least power of t there: any other power would be left in the tractions at the nodes, where no
 /// power continues it. Where the sheet sticks, q is counted from mu p times a smooth step between the signs of both
@@ -88,8 +88,8 @@ class ZoneMesh {
   [[nodiscard]] double weight(const Point& point) const;
   /// e_a - e_b without cancellation.
   [[nodiscard]] double distance(const Point& a, const Point& b) const;
-  /// The distances of all midpoints, rows, from all nodes, columns.
-  [[nodiscard]] Eigen::MatrixXd distances() const;
+  /// Sets Cauchy's kernels, -1/(pi times the distance), of all midpoints, rows, from all nodes, columns.
+  void set_cauchy_kernels(Eigen::MatrixXd& kernels) const;
   /// The length of the part of a zone that lies before the point.
   [[nodiscard]] double extent(int zone, const Point& point) const;
   /// The distance of the point from the right or the left end of its zone, without cancellation.
@@ -138,7 +138,7 @@ class ZoneMesh {
   [[nodiscard]] PanelEnd boundary(const Panel& own, const Panel& other, bool is_right,
                                   const PartialSlipTask& task) const;
   /// A traction with these powers of t, whose last node with an unknown is at |s| = reach.
-  [[nodiscard]] TractionEnd traction_end(double first, double second, double third, double reach) const;
+  [[nodiscard]] TractionEnd traction_end(const Tail::Powers& powers, double reach) const;
   /// In nodes nearer to a boundary where slip turns into stick than those for so many nats rounding errors would hide
   /// the power of t that determines its place.
   [[nodiscard]] double smooth_nats() const { return std::min(nats_, 26.0); }
