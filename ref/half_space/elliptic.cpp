@@ -235,7 +235,8 @@ Estimate EllipticContact::orientation() const {
   const auto& [coarse, fine] = implementation_->levels;
   const auto degrees = [](const Ellipse& ellipse) { return Float(180 * ellipse.alpha() / pi()); };
   const Float change = hypot(fine.ellipse.p - coarse.ellipse.p, fine.ellipse.q - coarse.ellipse.q);
-  // The error of twice the angle, in radians. If it is not small, any angle is possible.
+  // The error of twice the angle, in radians. Half of it in degrees is 29 turn for small turns, of which 90 turn is an
+  // upper bound. If it is not small, any angle is possible.
   const Float turn = (change + tolerance(implementation_->digits + 6)) / fine.ellipse.eta();
   const Float error = turn < Float(0.25) ? Float(90 * turn) : Float(90);
   return {degrees(fine.ellipse), error, implementation_->digits};

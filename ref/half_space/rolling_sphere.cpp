@@ -9,8 +9,18 @@
 namespace nipref::ref {
 namespace {
 
-/// Digits that K K_nn - S^2, which vanishes at the critical speed, may lose to cancellation.
+/// Digits that K K_nn - S^2 may lose to cancellation: twice those that it loses at the double next to the critical
+/// speed.
 constexpr int cancelled_digits = 32;
+
+/// K K_nn - S^2, which is 1/det M of both components: near the critical speed K K_nn and S^2 are larger by a factor as
+/// large as the inverse of the relative distance from that speed. BadInput where they lose more than cancelled_digits.
+Float determinant_of(const LineAnswer& line) {
+  const Float product = line.compliance * line.in_line, rest = product - line.coupling * line.coupling;
+  if (!(abs(rest) > tolerance(cancelled_digits) * abs(product)))
+    throw data::BadInput("speed", "(next to the critical speed)", "must be farther from it");
+  return rest;
+}
 
 /// One line of a rolling contact.
 struct RollingLine {
@@ -23,7 +33,7 @@ struct RollingLine {
     const Float product = line.compliance * line.in_line;
     index = atanh(line.coupling / sqrt(product)) / pi();
     slowness = sqrt(line.in_line / line.compliance);
-    stiffness = slowness / sqrt(product - line.coupling * line.coupling);
+    stiffness = slowness / sqrt(determinant_of(line));
   }
 };
 
@@ -68,6 +78,7 @@ Estimate rolling_index(const SurfaceAnswer& surface, const Exact& degrees, int d
 Estimate rolling_index_beyond(const SurfaceAnswer& surface, const Exact& degrees, int digits) {
   return of_rolling_lines(surface, digits, [&](const WorkingSurface& lines) -> Float {
     const LineAnswer line = lines.at(degrees);
+    (void)determinant_of(line);
     return atanh(sqrt(line.compliance * line.in_line) / abs(line.coupling)) / pi();
   });
 }

@@ -9,7 +9,8 @@ namespace nipref::ref {
 // A rigid sphere that rolls without slip, in multiprecision. By the rule of brock2012, the tractions on each line of
 // the contact follow from the response of the surface along this line alone. Errors are estimated.
 //
-//   digits      16 to 100, else BadInput; results have a relative error of at most 10^-digits
+//   digits      16 to 100, else BadInput; results have a relative error of at most 10^-digits; BadInput "speed" where
+//               S^2 is within 1e-32 of K K_nn, as at the critical speed
 //   degrees     angle of a line from the motion
 //
 // K, S and K_nn are compliance, coupling and in_line of a line, see LineResponse, and wS/wD = K_nn/K. L(psi) is the

@@ -101,6 +101,9 @@ PeakOfCompliance peak_of_compliance(const SurfaceAnswer& surface) {
 namespace {
 
 constexpr int most_digits = 100;
+/// Half of them is the share of rounding in an error, 10^6 units of the surface's digits: the 4096 terms of an integral
+/// over lines are positive, so that their errors are 1 unit and those of their sum 4096 units, and what is computed
+/// from the integral may enlarge these by a factor of 200.
 constexpr int guard_digits = 12;
 constexpr long most_directions = 4096;
 
@@ -109,8 +112,6 @@ constexpr long most_directions = 4096;
                        "must be fewer, the speed farther below the critical one or the body rounder: " +
                            std::to_string(most_directions) + " lines do not give them here");
 }
-
-Float at_most_1(const Float& value) { return std::min(Float(1), Float(abs(value))); }
 
 Float number(const Float& real) {
   if (mpfr_number_p(raw(real)) == 0)
@@ -123,6 +124,7 @@ Float number(const Float& real) {
 
 std::vector<UnitPoint> unit_nodes(int digits) {
   const Float step = Float(1) / (digits + 20) * 2;
+  // An integrand analytic up to the height 3/4 has an aliasing error of e^(-2 pi 3/4/step), below 10^-(digits + 20).
   // Beyond the last node, weights are below 10^-digits even when multiplied by an algebraic singularity at the end.
   const int last =
       static_cast<int>((std::asinh(2.3026 * (digits + 10) / 3.14159) + 0.5) / static_cast<double>(step));
@@ -153,8 +155,8 @@ int working_digits(int digits, int cancelled) {
 
 Estimate estimated(const Float& value, const Float& error, int digits) {
   // Two results may agree to the last bit. The error is then that of rounding and of the surface's digits.
-  const Float sum = error + tolerance(digits + guard_digits / 2) * at_most_1(value);
-  if (!(sum <= tolerance(digits) * at_most_1(value))) refuse_digits(digits);
+  const Float sum = error + tolerance(digits + guard_digits / 2) * abs(value);
+  if (!(sum <= tolerance(digits) * abs(value))) refuse_digits(digits);
   return {value, sum, digits};
 }
 
@@ -164,7 +166,7 @@ Estimate of_levels(const Float& fine, const Float& coarse, int digits) {
 }
 
 Estimate with_shifted_ends(int digits, const std::function<Estimate(const Float& change)>& at) {
-  const Float off = tolerance(digits + 6);
+  const Float off = tolerance(digits + guard_digits / 2);
   const Estimate result = at(0);
   const Float value = at_working_precision(result.value);
   const auto moved = [&](const Float& change) -> Float {

@@ -71,7 +71,7 @@ Float tolerance(int digits);
 int working_digits(int digits, int cancelled = 0);
 
 /// The value with its error, to which the errors by rounding and by the surface's digits are added. BadInput "digits"
-/// if the sum exceeds 10^-digits min(1, |value|).
+/// if the sum exceeds 10^-digits |value|.
 Estimate estimated(const Float& value, const Float& error, int digits);
 
 /// The finer of two levels of a quadrature. The error, of any size, is the difference of the levels, plus the errors by

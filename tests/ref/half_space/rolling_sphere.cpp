@@ -16,4 +16,8 @@ TEST_CASE("the reference's rolling sphere keeps its digits where K Knn - S^2 van
   agree(ref::rolling_index(surface, Exact(0.0), 30), ref::rolling_index(surface, Exact(0.0), 60));
   agree(ref::rolling_span_ratio(surface, Exact(90.0), 30), ref::rolling_span_ratio(surface, Exact(90.0), 60));
   CHECK_THROWS_AS((void)ref::rolling_span_ratio(surface, Exact(90.0), 101), data::BadInput);
+  const ref::SurfaceAnswer too_near = [](const Exact&, int) -> ref::LineAnswer {
+    return {1, 1 - ref::Float(1e-36), 0, 1};
+  };
+  CHECK_REFUSED(ref::rolling_index(too_near, Exact(0.0), 16), "speed = ");
 }
