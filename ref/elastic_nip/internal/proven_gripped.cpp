@@ -21,14 +21,14 @@ std::size_t at(long k) { return static_cast<std::size_t>(k); }
 
 // The equations in double, Float or intervals. (ref/elastic_nip/README.md, Contacts with full friction, (2) and (3))
 //
-// Each complex number is a real one times a power of i, and only the real one is kept: alpha_k, whose power is i^k;
-// omega_j over i^j; phi_n over i^{1 - n}; and of the coefficients of T_m and of sin(m theta) the real part for odd m,
-// which belongs to the pressure and to u, and the imaginary part for even m, which belongs to the shear and to v.
+// The tractions are gamma = P + i Q = w sum_k alpha_k i^k T_k. Every coefficient below is a real number times a power
+// of i, and only real numbers are stored: alpha_k; omega_j/i^j; phi_n/i^{1 - n}; and of the coefficients of sin(m
+// theta) in gamma and of T_m in its slopes the real part for odd m, which belongs to P and u, or the imaginary part for
+// even m, which belongs to Q and v. (The other parts are 0.)
 
-/// The part of i^m x that is not 0: the real part for even m, the imaginary part for odd m. For i^{1 - m} x it is the
-/// same, with the parts exchanged.
+/// The real or the imaginary part of i^m x, whichever is not 0: plus or minus x. That of i^{1 - m} x has the same sign.
 template <class Number>
-Number turned(long m, const Number& x) {
+Number times_power_of_i(long m, const Number& x) {
   return (m & 2) != 0 ? Number(-x) : x;
 }
 
@@ -44,7 +44,7 @@ struct GrippedSystem {
   long size;                    ///< N, even
   Number zero, root, share;     ///< 0, sqrt(1 - beta^2) and 4/N^2
   std::vector<Number> cosines;  ///< cos(k pi/(2N)), k < 4N
-  std::vector<Number> omegas;   ///< omega_j
+  std::vector<Number> omegas;   ///< omega_j/i^j
   /// J, I3 and J - int I3 at A (t_i - t_j), with a row for each t_i > 0. The rows of -t_i follow by parity.
   std::vector<Number> normal, coupling, along;
 
@@ -53,7 +53,8 @@ struct GrippedSystem {
     return cosines[at((k % period + period) % period)];
   }
 
-  /// 4 phi_n, the coefficient of zeta^n in 4 Omega h.
+  /// 4 phi_n/i^{1 - n} = sum_k (-1)^k alpha_k omega_{1+k-n}/i^{1+k-n} + sum_k alpha_k omega_{1-k-n}/i^{1-k-n}, where
+  /// omega_j = 0 for j < 0.
   [[nodiscard]] Number four_phi(const std::vector<Number>& alpha, long n) const {
     Number sum = zero;
     for (long k = std::max(0L, n - 1); k < static_cast<long>(alpha.size()); ++k) {
@@ -65,13 +66,14 @@ struct GrippedSystem {
     return sum;
   }
 
-  /// c_m: the coefficients of sin(m theta) in gamma.
+  /// c_m, from the coefficients sqrt(1 - beta^2) (phi_m - phi_{-m}) of sin(m theta) in gamma. As a multiple of
+  /// i^{1 - m}, phi_{-m} is (-1)^m times the number that is stored for it.
   [[nodiscard]] std::vector<Number> sines(const std::vector<Number>& alpha) const {
     std::vector<Number> result(at(size), zero);
     for (long m = 1; m < size; ++m) {
-      const Number above = four_phi(alpha, m), below = four_phi(alpha, -m);
-      const Number both = m % 2 == 0 ? Number(above - below) : Number(above + below);
-      result[at(m)] = turned(m, Number(root * both / 4));
+      const Number plus = four_phi(alpha, m), minus = four_phi(alpha, -m);
+      const Number difference = m % 2 == 0 ? Number(plus - minus) : Number(plus + minus);
+      result[at(m)] = times_power_of_i(m, Number(root * difference / 4));
     }
     return result;
   }
@@ -99,7 +101,8 @@ struct GrippedSystem {
     return result;
   }
 
-  /// The coefficients of T_m in the slopes that the tractions cause, over -2A^2.
+  /// The coefficients of T_m in the slopes that the tractions cause, over -2A^2: those of -D gamma by (2), and the
+  /// smooth part by (3).
   [[nodiscard]] std::vector<Number> slopes(const std::vector<Number>& alpha,
                                            const std::vector<Number>& sines) const {
     const auto [u, v] = smooth(node_sums(sines, 1), node_sums(sines, 2));
@@ -107,7 +110,7 @@ struct GrippedSystem {
     for (long m = 0; m < size; ++m) {
       Number sum = zero;
       for (long i = 0; i < size / 2; ++i) sum = sum + (m % 2 == 0 ? v : u)[at(i)] * cosine(m * (2 * i + 1));
-      result[at(m)] = turned(m, Number(root * four_phi(alpha, m) / 2)) + share * sum;
+      result[at(m)] = times_power_of_i(m, Number(root * four_phi(alpha, m) / 2)) + share * sum;
     }
     result[0] = result[0] / 2;
     return result;
@@ -132,7 +135,8 @@ GrippedSystem<Number> converted(const GrippedSystem<Interval>& from) {
           all(from.omegas), all(from.normal), all(from.coupling), all(from.along)};
 }
 
-/// The coefficients of (iy)^j in ((1 + y)/(1 - y))^{2 i epsilon} (1 - y^2)^{order}, order 0 or 1, j < count.
+/// The coefficients of (iy)^j in ((1 + y)/(1 - y))^{2 i epsilon} (1 - y^2)^{order}, j < count: eta_j/i^j of (6) with
+/// the order 0, omega_j/i^j of (2) with the order 1.
 std::vector<Interval> power_series(const Interval& epsilon, long order, long count) {
   std::vector<Interval> f{Interval(1L, epsilon.precision()), 4 * epsilon};
   for (long j = 1; j + 1 < count; ++j)
@@ -140,8 +144,8 @@ std::vector<Interval> power_series(const Interval& epsilon, long order, long cou
   return f;
 }
 
-/// ln 2 - Re (digamma(1/2 + i epsilon) - digamma(1/2)), 0 <= epsilon < 1/3.
-Interval capacity(const Interval& epsilon) {
+/// Lambda of (6), 0 <= epsilon < 1/3.
+Interval displacement_under_psi(const Interval& epsilon) {
   const mpfr_prec_t bits = epsilon.precision();
   const Interval ratio = 4 * square(epsilon);
   Interval sum = log(Interval(2L, bits)), power = ratio;  // (2 epsilon)^k
@@ -318,35 +322,38 @@ class GrippedContact final : public ProvenResults {
     find_displacement(system, sines, decay, entry_error);
   }
 
-  /// Computes d1 of (6), with the errors of its sums.
+  /// Computes d1 of (6). Sums over the points are integrals by t, so that all integrands have the factor sin(theta).
   void find_displacement(const GrippedSystem<Interval>& system, const std::vector<Interval>& sines,
                          const EntryBounds& decay, const Interval& entry_error) {
     const long N = size_;
-    const std::vector<Interval> weights = power_series(epsilon_, 0, N);
-    std::vector<Interval> p(at(N), system.zero), q = p, even = p, odd = p;
+    const std::vector<Interval> eta = power_series(epsilon_, 0, N);
+    // P and Q times sin(theta); psi and chi times sin(theta) cosh(pi epsilon).
+    std::vector<Interval> P(at(N), system.zero), Q = P, psi = P, chi = P;
     for (long i = 0; i < N; ++i) {
       for (long m = 0; m < N; ++m) {
-        const long turn = m * (2 * i + 1);
-        const Interval wave = system.cosine(turn - N) * system.cosine(2 * i + 1 - N);
-        Interval& traction = (m % 2 == 0 ? q : p)[at(i)];
+        const long angle = m * (2 * i + 1);  // m theta_i, of which a right angle is N
+        const Interval wave = system.cosine(angle - N) * system.cosine(2 * i + 1 - N);
+        Interval& traction = (m % 2 == 0 ? Q : P)[at(i)];
         traction = traction + sines[at(m)] * wave;
-        Interval& weight = (m % 2 == 0 ? even : odd)[at(i)];
-        weight = weight + turned(m, weights[at(m)] * system.cosine(turn));
+        Interval& factor = (m % 2 == 0 ? psi : chi)[at(i)];
+        factor = factor + times_power_of_i(m, eta[at(m)] * system.cosine(angle));
       }
     }
-    const auto [u, v] = system.smooth(p, q);
-    Interval sum = system.zero;
-    for (long i = 0; i < N / 2; ++i) sum = sum + even[at(i)] * u[at(i)] + odd[at(i)] * v[at(i)];
-    const Interval cosh_end = 1 / system.root, smallest = decay.power(N - 1) / (1 - decay.power(1));
+    const auto [u, v] = system.smooth(P, Q);
+    // As the integrand is even, the points t > 0 give half of the integral Z.
+    Interval half = system.zero;
+    for (long i = 0; i < N / 2; ++i) half = half + psi[at(i)] * u[at(i)] + chi[at(i)] * v[at(i)];
+    const Interval cosh_epsilon = 1 / system.root;  // cosh(pi epsilon)
     const Interval tractions = sum_of_magnitudes(alpha_) + sum_of_magnitudes(sines);
-    const Interval missed =
-        entry_error * sum_of_magnitudes(weights) * tractions +
-        2 * decay.amplitude * smallest * tractions * (2 * cosh_end + sum_of_magnitudes(weights));
-    const Interval smooth =
-        (system.share * sum / 2).widened(missed + cosh_end * (6 * A_ + 2) * energy_error_);
-    const Interval singular = first_ / 2 * (capacity(epsilon_) - log(A_));
+    const Interval by_kernels = entry_error * sum_of_magnitudes(eta) * tractions,
+                   beyond = decay.power(N - 1) / (1 - decay.power(1)),
+                   by_rule =
+                       2 * decay.amplitude * beyond * tractions * (2 * cosh_epsilon + sum_of_magnitudes(eta)),
+                   by_tractions = cosh_epsilon * (6 * A_ + 2) * energy_error_;
+    const Interval Z = (system.share * half / 2).widened(by_kernels + by_rule + by_tractions);
+    const Interval singular = first_ / 2 * (displacement_under_psi(epsilon_) - log(A_));
     edge_displacement_ =
-        square(A_) * (2 * (singular + smooth - 2 * epsilon_ * creep_) - (4 * square(epsilon_) + 1) / 2);
+        square(A_) * (2 * (singular + Z - 2 * epsilon_ * creep_) - (4 * square(epsilon_) + 1) / 2);
   }
 
   /// By (5) |d gamma| <= sqrt(1 - t^2) slope_error/(1 - beta^2).
@@ -363,7 +370,7 @@ class GrippedContact final : public ProvenResults {
     Interval even(bits), odd(bits);
     for (long k = 0; k < static_cast<long>(alpha_.size()); ++k) {
       Interval& sum = k % 2 == 0 ? even : odd;
-      sum = sum + turned(k, alpha_[at(k)] * cos(k * theta));
+      sum = sum + times_power_of_i(k, alpha_[at(k)] * cos(k * theta));
     }
     const Interval value = shear ? sin(turn) * even + cos(turn) * odd : cos(turn) * even - sin(turn) * odd;
     const Interval traction = 2 * A_ * (sine * value.widened(error));
@@ -381,7 +388,7 @@ class GrippedContact final : public ProvenResults {
       ComplexInterval h = zero, slope = zero, curvature = zero;
       for (long k = 0; k < static_cast<long>(alpha_.size()); ++k) {
         const auto part = [&](ComplexInterval& x) -> Interval& { return k % 2 == 0 ? x.re : x.im; };
-        const Interval alpha = turned(k, alpha_[at(k)]), wave = alpha * cos(k * theta);
+        const Interval alpha = times_power_of_i(k, alpha_[at(k)]), wave = alpha * cos(k * theta);
         part(h) = part(h) + wave;
         part(slope) = part(slope) - k * (alpha * sin(k * theta));
         part(curvature) = part(curvature) - k * k * wave;
