@@ -396,6 +396,7 @@ std::vector<Estimate> ConvergedNip::shear_zeros() const {
     const auto zero = [&, inner = inner, outer = outer](const NipSolution& of) -> Float {
       const Float& size = of.half_length();
       const auto shear = [&](const Float& x) -> Float { return sign * of.tractions(x).shear; };
+      // The tolerance, 10^-(digits + 10) of the half length, is far below what SolvedNip::estimate() adds.
       const auto place = bracketed_root<Float>(shear, inner * size, outer * size,
                                                outer * size * std::numeric_limits<Float>::epsilon() * 1e4);
       if (!place) throw std::logic_error("a zero of the shear that is not found");

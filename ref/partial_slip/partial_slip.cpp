@@ -108,8 +108,10 @@ struct PartialSlipNip::Parts {
 
   [[nodiscard]] const SlipField& fine() const { return *solved.fine; }
 
-  /// The error is twice the difference of both solutions, plus `scale` times their largest relative difference and, for
-  /// zones left out, times a hundredth of the last digit.
+  /// The error is twice the difference of both solutions, plus `scale` times their largest relative difference and
+  /// times a hundredth of the last digit. The latter is a thousand times the length, over that of the contact, below
+  /// which the finer grid leaves out zones, and 10^8 times the kernels' errors (kernel_digits_of_slip), which both have
+  /// in common.
   [[nodiscard]] Estimate number(const mpq_class& unit, const Float& scale,
                                 const Functional& functional) const {
     const WorkingDigits working(working_digits_of_slip(digits));

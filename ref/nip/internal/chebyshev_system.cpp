@@ -158,7 +158,8 @@ BoundedColumn ChebyshevSystem::proven(const std::vector<Float>& coefficients, co
       computed_square =
           computed_square + m * square(c[at(m)] + 2 * smooth[at(m)] / (n * n) - right.coefficients[at(m)]);
     }
-    // Over sum |x_m|: the residuals that another length, folded entries and the rows beyond make.
+    // The f_m beyond have sum m f_m^2 <= 4n next^2 and sum m |f_m| <= 8n next, as each is at most half of the one
+    // before. Over sum |x_m|: the residuals that another length, folded entries and the rows beyond make.
     const Interval other_length = length_error / half_length;
     const Interval folded = sqrt_of(n) * folded_entries(decay, 2 * n, uncomputed);
     const Interval beyond = decay.amplitude * (decay.power(uncomputed) / sqrt(1 - decay.power(4)));

@@ -137,7 +137,9 @@ void NearlyKnownSystem::set_right(Matrix::Index row, Matrix::Index column, const
   keep(right(row, column), right_error(column), value);
 }
 
-// The rounding error of a sum of n products is at most (n + 2) epsilon times the sum of their magnitudes.
+// The rounding error of a sum of n products is at most (n + 2) epsilon times the sum of their magnitudes; with 4 right
+// it includes that of the subtraction. The bounds are themselves sums of some n positive numbers, rounded by less than
+// 1e-3.
 std::optional<EnclosedSolutions> enclosed_solutions(const NearlyKnownSystem& system) {
   const auto n = system.matrix.rows();
   const Matrix inverse = system.matrix.inverse();

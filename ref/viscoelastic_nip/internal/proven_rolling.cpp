@@ -206,7 +206,9 @@ Intervals memory_moments(const Moments& moments, const mpq_class& rate, const In
     const Interval here = interval_of(near), growth = exp(r * here);
     const Interval E = rate == 0 ? here : (growth - 1) / r;
     const Interval value = steady_memory(Symbol::I1, to_exact(near), Exact(rate), nats) - log(here) * E;
-    // |S'| = |r S - J - E/x| with |J| <= 1 + 2 x
+    // |S'| = |r S - J - E/x| with |J| <= 1 + 2 x. Within a distance d this bound grows by less than e^((2 r + 2) d), so
+    // that twice its value in the middle of the interval, which is as narrow as rounding makes it, is a bound in all of
+    // it.
     const Interval slope = 2 * (r * magnitude_of(value) + 1 + 2 * here + growth);
     values.push_back(value.widened(magnitude_of(slope) * distance_from(near, x)));
   }

@@ -19,7 +19,7 @@ namespace {
 
 using Terms = std::vector<RollingMemory>;
 
-/// Adds a term, joined with one whose rate is the same to rounding.
+/// Adds a term, joined with one whose rate is the same to rounding: to 2^16 units, which are 10^-(digits + 9).
 void add_term(Terms& terms, const RollingMemory& term) {
   const auto same = std::ranges::find_if(terms, [&](const RollingMemory& other) {
     return abs(other.rate - term.rate) <= ldexp(abs(other.rate), 16 - working_bits());
