@@ -201,7 +201,8 @@ TEST_CASE("ref partial slip: a zone that shrinks to nothing at the trailing end 
   problem.beta = 0.6875;
   problem.friction = 0.75;
   problem.length = problem.unit = 0.0625;
-  problem.shear = 1.875e-4;
+  // This contact is not found either if Newton's method begins at least squares in place of tractions found before.
+  problem.shear = 1.848e-4;
   ref::SheetKernels kernels(20);
   const ref::Row<ref::SlipZone> guess{{-1, 0.004}, {0, 0.0455}, {1, 0.0115}, {0, 0.0013}, {-1, 0.0002}};
   CHECK(ref::solved_slip(problem, kernels, guess, 2).fine != nullptr);
