@@ -137,6 +137,19 @@ Eigen::MatrixXd sums_of_halves(const auto& at_nodes, const auto& weights, double
   return both.transpose() * weights.topRows(half);
 }
 
+/// One of the four sums in g = sum (a_k + i b_k) phi_k, whose real part is sum a_k Re phi_k - sum b_k Im phi_k and whose
+/// imaginary part is sum a_k Im phi_k + sum b_k Re phi_k.
+struct Summand {
+  int component;  ///< 0 of a_k, 1 of b_k
+  Eigen::MatrixXd PanelBasis::Rows::*of_basis;
+  bool is_in_real;  ///< in Re g, on which on_p acts
+  double sign;
+};
+constexpr Summand summands[] = {{0, &PanelBasis::Rows::real, true, 1},
+                                {0, &PanelBasis::Rows::imaginary, false, 1},
+                                {1, &PanelBasis::Rows::real, false, 1},
+                                {1, &PanelBasis::Rows::imaginary, true, -1}};
+
 }  // namespace
 
 /// Computes the rows of one kernel: sums over the nodes of quadrature rules on each panel.
@@ -387,62 +400,58 @@ class Tractions::Sums {
   double reach_;  ///< the distance beyond which a kernel that decays is below the tolerance
 };
 
+// Seen from the matching point s, a load at the node x of the panel, 0 <= x <= 1, is at alpha = width (x - s). There the
+// kernel is the sum of -logarithm ln|alpha|/pi, of jump sign(alpha) and of the rest, which is smooth.
 bool Tractions::Sums::add_own_panel(std::size_t p, const SplitKernel& split, Eigen::Index first,
                                     MatchingRows& result) const {
   // On much wider panels the logarithm is so much larger than the kernel that the logarithm and the rest cancel.
   constexpr double widest = 24;
   const Panel& panel = of_.panels_[p];
-  const double width = panel.width();
+  const double width = panel.width(), log_width = std::log(width);
   if (width > widest) return false;
   const PanelBasis basis = of_.basis(panel);
   const MatchingPoints points = points_of(panel);
   const auto rule = product_rule(
       basis, points_of_rule(internal::log_of_ellipse({0, 4 / width}), -std::log(tolerance_)), degrees(panel));
   const auto singular = singular_integrals(basis, points, degrees(panel));
+  // alpha and ln|alpha|: a row for each node and a column for each matching point.
   const Eigen::Index nodes = rule->at.size();
-  Eigen::ArrayXXd alpha(nodes, points.points);
   const auto places = points.at();
+  Eigen::ArrayXXd alpha(nodes, points.points);
   for (int j = 0; j < points.points; ++j) alpha.col(j) = width * (rule->at - (*places)(j));
-  const double log_width = std::log(width);
   const Eigen::ArrayXXd logarithm = *logarithms(static_cast<int>(nodes), points) + log_width;
   const auto size = static_cast<std::size_t>(alpha.size());
   Eigen::MatrixXd on_p, on_q;
   split.regular({alpha.data(), size}, {logarithm.data(), size}, on_p, on_q);
-  const int count = panel.terms + left_out;
-  // g = sum (a_k + i b_k) phi_k: Re g has a_k Re phi_k - b_k Im phi_k, and Im g has a_k Im phi_k + b_k Re phi_k.
-  const auto add = [&](Eigen::Index functional, int component, Eigen::MatrixXd PanelBasis::Rows::*part) {
-    if ((rule->weight.*part).size() == 0) return;
-    const bool is_imaginary = part == &PanelBasis::Rows::imaginary, is_b = component == 1;
-    const Eigen::Index load = is_imaginary == is_b ? 0 : 1;  // the part is in Re g or in Im g
-    const Degrees degrees = of_.degrees_of(p, component);
-    const auto integrals = [&](const PanelBasis::Rows& all) { return degrees.columns(all.*part, count); };
-    const double of_logarithm = -split.logarithm(functional, load) / std::numbers::pi,
-                 of_jump = split.jump(functional, load);
-    const auto rows = Eigen::seqN(first + functional, points.points, kernel_.functionals);
-    const auto columns = Eigen::seqN(of_.column(p, component), count);
-    const auto add_term = [&](double factor, const Eigen::MatrixXd& integral) {
-      result.rows(rows, columns) += factor * integral;
-      result.sizes(rows, columns) += std::fabs(factor) * integral.cwiseAbs();
-    };
-    const double scale = (is_b && is_imaginary ? -1 : 1) * degrees.sign * width;
-    const auto at_nodes = (load == 0 ? on_p : on_q).row(functional).reshaped(nodes, points.points);
-    const auto weights = integrals(rule->weight);
-    if (panel.about_middle)
-      add_term(scale, sums_of_halves(at_nodes, weights, load == 0 ? 1 : -1));
-    else
-      add_term(scale, at_nodes.transpose() * weights);
-    if (of_logarithm != 0) {
-      add_term(scale * of_logarithm, integrals(singular->logarithm));
-      add_term(scale * of_logarithm * log_width, integrals(singular->one).row(0).replicate(points.points, 1));
+  const int terms = panel.terms + left_out;
+  for (Eigen::Index functional = 0; functional < kernel_.functionals; ++functional) {
+    for (const Summand& sum : summands) {
+      if (sum.component >= of_.components() || (rule->weight.*sum.of_basis).size() == 0) continue;
+      const Degrees degrees = of_.degrees_of(p, sum.component);
+      const auto of_terms = [&](const PanelBasis::Rows& all) {
+        return degrees.columns(all.*sum.of_basis, terms);
+      };
+      const auto rows = Eigen::seqN(first + functional, points.points, kernel_.functionals);
+      const auto columns = Eigen::seqN(of_.column(p, sum.component), terms);
+      const auto add = [&](double factor, const Eigen::MatrixXd& integrals) {
+        result.rows(rows, columns) += factor * integrals;
+        result.sizes(rows, columns) += std::fabs(factor) * integrals.cwiseAbs();
+      };
+      const double scale = sum.sign * degrees.sign * width;
+      const Eigen::Index load = sum.is_in_real ? 0 : 1;
+      const auto rest = (sum.is_in_real ? on_p : on_q).row(functional).reshaped(nodes, points.points);
+      const auto weights = of_terms(rule->weight);
+      if (panel.about_middle)
+        add(scale, sums_of_halves(rest, weights, sum.is_in_real ? 1 : -1));
+      else
+        add(scale, rest.transpose() * weights);
+      // ln|alpha| = ln|x - s| + ln(width)
+      if (const double by = -split.logarithm(functional, load) / std::numbers::pi; by != 0) {
+        add(scale * by, of_terms(singular->logarithm));
+        add(scale * by * log_width, of_terms(singular->one).row(0).replicate(points.points, 1));
+      }
+      if (const double by = split.jump(functional, load); by != 0) add(scale * by, of_terms(singular->sign));
     }
-    if (of_jump != 0) add_term(scale * of_jump, integrals(singular->sign));
-  };
-  for (Eigen::Index i = 0; i < kernel_.functionals; ++i) {
-    add(i, 0, &PanelBasis::Rows::real);
-    if (!of_.is_complex_) continue;
-    add(i, 0, &PanelBasis::Rows::imaginary);
-    add(i, 1, &PanelBasis::Rows::real);
-    add(i, 1, &PanelBasis::Rows::imaginary);
   }
   return true;
 }
