@@ -71,7 +71,7 @@ std::vector<Part> integral_parts(const Scaled& e, double ratio, double depth) {
       const double change = depth * arc.m(split).over_width(ratio) + std::max(0.0, 1 - distance);
       const double bend =
           2 * change / (slope_of_t + std::sqrt(slope_of_t * slope_of_t + 2 * distance * change) + 0x1p-500);
-      // Angles within 2^-30 of the line contribute less than a rounding error of the integral.
+      // A narrower bend changes the integrand by about its angle, over this angle: with 2^-30 the effect is 2^-60.
       const double unit = std::max(std::min(bend, half_turn) + std::fabs(touching - split), 0x1p-30);
       add(arc, 0, split / 2, split / 2);
       add(arc, split, -unit, split / 2);

@@ -9,6 +9,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/anisotropic.hpp>
 #include <nipref/fast/half_space/internal/critical_speed.hpp>
+#include <nipref/fast/half_space/internal/line_errors.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/joint_response.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
@@ -20,7 +21,7 @@ Direction motion_of(const data::HalfSpaceProblem& problem) {
   return Direction::of_degrees(problem.direction);
 }
 
-Estimate to_rounding(double value) { return {value, 0x1.8p-51 * std::fabs(value)}; }
+Estimate to_rounding(double value) { return {value, internal::response_rounding * std::fabs(value)}; }
 
 void refuse_supercritical(double speed, double limit, std::string_view of) {
   if (speed < limit) return;
@@ -127,9 +128,12 @@ Estimate JointResponse::compliance(double degrees) const {
 }
 
 Estimate JointResponse::coupling(double degrees) const {
-  const LineResponse line = (*this)(Direction::of_degrees(degrees));
-  // The couplings of two bodies are subtracted, and their difference may be far smaller than the couplings.
-  return {line.coupling, std::max(to_rounding(line.compliance).error, to_rounding(line.coupling).error)};
+  const Direction from_motion = Direction::of_degrees(degrees);
+  const LineResponse line = (*this)(from_motion);
+  // The couplings of two bodies are subtracted, and their difference may be far smaller than the sum of their sizes, which
+  // is at most that of the difference and twice that of one.
+  const double sizes = std::fabs(line.coupling) + (body_ ? 2 * std::fabs(body_(from_motion).coupling) : 0);
+  return {line.coupling, to_rounding(std::max(line.compliance, sizes)).error};
 }
 
 Estimate JointResponse::critical_speed() const { return to_rounding(critical_speed_); }

@@ -19,7 +19,8 @@ using data::BadInput;
 
 namespace {
 
-/// sum (-1)^j/(z + 2j) over j >= 0 for Re z > 0: the first terms, and the rest by Boole's summation formula to rounding.
+/// sum (-1)^j/(z + 2j) over j >= 0 for Re z > 0: the first terms, and the rest by Boole's summation formula. The first
+/// term of the formula that is left out is 176896/|z|^12 < 2^-54.
 std::complex<double> alternating_sum(std::complex<double> z) {
   constexpr int terms = 32;  // even; then |z| > 64
   std::complex<double> sum = 0;
@@ -36,8 +37,11 @@ double oscillating_moment(double index) {
   return 1. / 3 - a / 6 * ((1 + a * a) * sech_sine - a);
 }
 
-/// The relative rounding error of span ratios and of amplitudes over spans.
-constexpr double rounding = 0x1p-50;
+/// A bound of the relative rounding errors of the properties of a line: 32 roundings of 2^-53. The root of a quotient of
+/// rounded numbers has 2.5, a stiffness, a product of two roots, 6, a ratio of spans 13, a span over the radius 15. An
+/// index has 17, most of them from the arguments of its logarithms. The product of index and span over radius would have
+/// 33; it occurs in B alone, where RollingSphere::along adds six of the response.
+constexpr double rounding = 32 * 0x1p-53;
 
 }  // namespace
 
@@ -100,7 +104,8 @@ RollingLine RollingSphere::along(Direction from_motion) const {
   const double lean = line.slowness_ratio - line.index * relative / 2;  // B
   if (!(lean > 0)) throw BadInput("span", span, "must be small against the radius");
   const double uncertainty = span_.error / span_.value + rounding + internal::response_rounding;
-  // The two terms of the creep may cancel, whereas their errors add.
+  // The two terms of the creep may cancel, whereas their errors add. Span and index enter squared: twice the error of
+  // each, 2 (15 + 17) roundings and twice that of the span alone.
   const double squared = 4 * line.index * line.index, of_wave = line.index * line.slowness_ratio;
   const Estimate creep{relative * (relative / 16 * (1 - squared) + of_wave),
                        3 * uncertainty * relative * (relative / 16 * (1 + squared) + of_wave)};
@@ -114,7 +119,9 @@ RollingLine RollingSphere::along(Direction from_motion) const {
 }
 
 /// amplitude sqrt(L^2 - 4x^2)/cos(Phi) times cosine or sine of P ln((L-2x)/(L+2x)) + Phi. The error of the phase comes
-/// from the distances to the ends; that of the factor comes from the span and from B and Phi, which contain a difference.
+/// from the distances to the ends; that of the factor comes from B = s - c B/2, c = P L/(r0 B), in the amplitude and again
+/// in tan(Phi). Each time the relative error of B is 1 + c/2 times the uncertainty; with one more for other roundings the
+/// factor is 3 + c.
 Estimate RollingLine::traction(double x, Wave wave) const {
   internal::check_finite("x", x);
   const double half = span / 2, ahead = half - x, behind = half + x;
