@@ -37,7 +37,8 @@ struct ConvergedNip::Implementation {
     if (!kept_offset) {
       kept_offset = solved.estimate(
           [&](const Solution& solution) { return solution.of_unknown(*equations().offset_unknown()); });
-      kept_offset->error += 0x1p-52 * half_length();
+      // Sums of the offset with the half-length or a place in the contact are rounded, and their products with the unit.
+      kept_offset->error += 0x1p-52 * (half_length() + std::fabs(kept_offset->value));
     }
     return *kept_offset;
   }
@@ -202,7 +203,8 @@ struct ConvergedNip::Implementation {
     return in_contact(
         place_of_maximum(maxima(component), {slope, slope_estimate}, estimate, 2 * half_length()));
   }
-  /// Y of a position that was found, with the errors of the position, of the ends and of rounding.
+  /// Y of a position that was found, with the errors of the position, of the ends and, 2^-53 each, of the search's last
+  /// step and of the product with the unit.
   [[nodiscard]] Estimate in_contact(Estimate position) const {
     position.error += unsure_end() + 0x1p-52 * half_length();
     return times(units.length, position);
@@ -318,10 +320,14 @@ Estimate ConvergedNip::surface_strain(double y) const {
   const ContactPlace place = nip_->place_of(y);
   if (place.e < 0) return times(nip_->units.creep / 2, nip_->field().at({place, 1, false}).along);
   Estimate creep = creep_ratio();
-  // If the end may be farther inwards, the strain may be that outside the contact.
-  if (place.e < nip_->unsure_end())
-    creep.error += nip_->units.creep * (nip_->traction(TractionComponent::pressure, place).error +
-                                        2 * nip_->traction(TractionComponent::shear, place).error);
+  // If the end may be farther inwards, the strain may be that outside the contact. Beside the end it differs from the
+  // creep by the transform H[q] of the shear, which is a power like g and at most |g| at the same distance d inside. As d
+  // is at most unsure_end() - e, and either g(e) or its change to g(e + unsure_end()) is half of the latter or more, twice
+  // the errors of both tractions cover it.
+  if (place.e < nip_->unsure_end()) {
+    for (const auto component : {TractionComponent::pressure, TractionComponent::shear})
+      creep.error += 2 * nip_->units.creep * nip_->traction(component, place).error;
+  }
   return creep;
 }
 

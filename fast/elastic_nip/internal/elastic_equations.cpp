@@ -117,12 +117,14 @@ static MatrixXd acting(const Solution& solution, const Tractions::Kernel& kernel
 }
 
 double ElasticEquations::cancelling_sides(const Solution& solution) const {
-  return (0.25 + std::fabs(beta_) / 2) * solution.carried_load();
+  return (0.2505 + std::fabs(beta_) / 2) * solution.carried_load();
 }
 
 Functional ElasticEquations::normal_displacement(const Solution& solution, const ContactPlace& place,
                                                  CountedKernels& kernels) const {
   Functional displacement = solution.of_tractions(acting(solution, matching(kernels).whole, place).row(0));
+  // I1 is negative only farther than 1.28 from the load, by 0.02 and an integral of 0.022 at most. The pressure is below
+  // 2 A + 2 A^2, its sum for a half-space and for springs, and the parts that cancel are far below A^2, an upper bound.
   displacement.cancelled = std::pow(solution.half_length(), 2) + (sticks_ ? cancelling_sides(solution) : 0);
   return displacement;
 }
@@ -136,6 +138,7 @@ AlongSurface ElasticEquations::along_surface(const Solution& solution, const Con
   displacement.cancelled = cancelling_sides(solution);
   if (sticks_) return {displacement, {}};
   Functional strain = solution.of_tractions(rows.row(1));
+  // The largest pressure, an upper bound: the integral of |nonlocal_strain| is 0.502.
   strain.cancelled = solution.traction(solution.half_length()).real();
   strain.on_tractions -= beta_ * traction(solution, TractionComponent::pressure, place).on_tractions;
   return {displacement, strain};

@@ -36,7 +36,8 @@ class ElasticEquations : public NipEquations {
   [[nodiscard]] Tractions::Kernel along_kernel(CountedKernels& kernels) const;
   [[nodiscard]] Tractions::SplitKernel matching(CountedKernels& kernels) const;
 
-  /// The size of the contributions from both sides of a place, which cancel: the coupling is at most 1/4 + beta/2.
+  /// The size of the contributions from both sides of a place, which cancel: the coupling is at most 0.2505 + beta/2, as
+  /// I3 overshoots its limit pi/4 by 0.2 %.
   [[nodiscard]] double cancelling_sides(const Solution& solution) const;
 
   bool sticks_;

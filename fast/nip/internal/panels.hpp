@@ -6,7 +6,9 @@
 
 namespace nipref::fast {
 
-/// The last coefficients of each expansion fall from one term to the next by at least this factor.
+/// The last coefficients of each expansion fall from one term to the next by at least this factor. Those of exponentials
+/// have to, see degree_of_exponential in panels.cpp. Because of the singularities of the tractions alone they fall by 2.2
+/// or more: slowest if one panel is a whole contact of half-length 12, with singularities 2 i beside its ends.
 inline constexpr double least_fall = 1.6;
 
 /// How small the last coefficients of a contact's expansions are to be, and what determines how fast coefficients fall.

@@ -79,10 +79,11 @@ void Solution::take_tails() {
 
 double Solution::traction_bound() const {
   const std::vector<std::complex<double>> rates = tractions_.layer_rates();
+  constexpr double largest_dawson = 1.2;
   double bound = coefficients_.head(coefficients_.size() - layers_.rows()).cwiseAbs().sum();
   for (std::size_t j = 0; j < rates.size(); ++j) {
     const auto of_layer = coefficients_.tail(layers_.rows()).segment(static_cast<Eigen::Index>(2 * j), 2);
-    bound += 2 * std::numbers::inv_sqrtpi * std::abs(rates[j]) * of_layer.cwiseAbs().sum();
+    bound += 2 * std::numbers::inv_sqrtpi * largest_dawson * std::abs(rates[j]) * of_layer.cwiseAbs().sum();
   }
   return bound;
 }
@@ -117,7 +118,7 @@ Solution::Parts Solution::parts(const Functional& f) const {
   const double of_terms = std::fabs(f.constant) + f.on_tractions.cwiseAbs().dot(coefficients_.cwiseAbs()) +
                           f.on_unknowns.cwiseAbs().dot(unknowns_.cwiseAbs());
   // Kernels may underflow far away, on tractions over the whole contact.
-  const double underflown = underflow * (1 + 2 * half_length() * coefficients_.cwiseAbs().sum());
+  const double underflown = underflow * (1 + 2 * half_length() * traction_bound());
   // The norm is scaled, because the squares of z underflow long before z does.
   return {value(f), tails_.dot(of_left_out.cwiseAbs()),
           equation_errors_.cwiseProduct(z).stableNorm() + 16 * unit_ * (of_terms + f.cancelled) + underflown};

@@ -65,16 +65,19 @@ struct Functional {
 ///     sum_l c_l (J_l - z . M_l).
 /// The next two columns of each expansion are known. The coefficients of functions that are analytic on and around a
 /// panel fall geometrically, and panels.hpp chooses panels on which they fall by 1.6 or more a term. The next
-/// coefficient is then at most the largest of |c_(n-k)|/1.6^k, k = 1, 2, 3, and twice that covers all that follow.
-/// Rounding error. The elimination with one step of refinement solves a system whose numbers differ from the given ones
-/// by a few units in the last place (Skeel 1980), and the given numbers have such errors themselves: two units in the
-/// kernels, about as many in weights and rates, and eight in the kernels' memories. In all d_i = 8 u, or 16 u for
+/// coefficient is then at most the largest of |c_(n-k)|/1.6^k, k = 1, 2, 3. Columns of equal parity act about equally,
+/// and every other coefficient from there on adds up to 1/(1 - 1.6^-2) = 1.64 times that: twice that covers all.
+/// Rounding error, u = 2^-53. The elimination with one step of refinement solves a system whose numbers differ from the
+/// given ones by about 2 u (Skeel 1980). The given numbers have errors themselves: 4 u, two units in the last place, in
+/// the kernels, or 16 u in the kernels' memories, and about 2 u in weights and rates. In all d_i = 8 u, or 16 u for
 /// memories of kernels, relative to a number or to the size of the parts that cancel in it. In rolling u counts twice,
 /// because the amplitudes and rates of the material, right to four units each, act in all equations and functionals. As
 /// independent random numbers (Higham and Mary 2019) these errors change the number by
 ///     (sum_i d_i^2 z_i^2 (sum_k (M_ik x_k)^2 + r_i^2))^(1/2).
-/// The evaluation of J adds 16 u times the sum of the sizes of its terms, and the effect of the least normal number in
-/// place of kernels that underflow.
+/// The evaluation of J adds 16 u times the sum of the sizes of its terms. This covers 8 u for its numbers, as in an
+/// equation; 8 u for the unit of the result, a product with up to eight roundings; and 5 u for the rounding of a given
+/// length in half-thicknesses, as J grows like its fifth power at most (solved_nip.hpp). Together, as independent
+/// errors, they are 13 u. The effect of the least normal number in place of kernels that underflow is added.
 class Solution {
  public:
   Solution(Tractions tractions, const Equations& equations);
@@ -102,7 +105,8 @@ class Solution {
     const auto [value, truncation, rounding] = parts(functional);
     return {value, truncation + rounding};
   }
-  /// A bound of |g|: Chebyshev polynomials, the factors and the Dawson integrals of layers are at most 1.
+  /// A bound of |g|: Chebyshev polynomials and the factors are at most 1, and the Dawson integrals of layers at most 1.2,
+  /// the largest |int_0^x e^(i t^2) dt|, which belongs to an imaginary rate.
   [[nodiscard]] double traction_bound() const;
   [[nodiscard]] int size() const { return static_cast<int>(elimination_.size()); }
 

@@ -178,7 +178,8 @@ std::vector<SolvedNip::InBoth> SolvedNip::at_place(const ContactPlace& place, do
           std::max(result[i].shift, std::fabs(last().value(moved[i]) - last().value(result[i].here)));
   };
   // Away from the end a number is smooth on the scales of e and of the memories. A shift of the place changes it about
-  // equally on either side, to within this part, and more on the side of the end. Next to the end both sides count.
+  // equally on either side, to within this part, and a power of e, which is at most e, more on the side of the end. The
+  // part is far less than the margins in the error of the ends (solution.hpp). Next to the end both sides count.
   constexpr double apart = 1e-3;
   double steepest = 1 / std::fabs(place.e);
   for (const auto& rate : equations_->resolution(nats_).rates) steepest = std::max(steepest, std::abs(rate));

@@ -20,6 +20,9 @@ namespace nipref::fast {
 /// |(p/A - 2 r)^2 - p/A^2| |J|/2, at most (5.5 + 2 |r| A)^2 |J|/(2 A^2), times e^(-2 A Re r) because the memory fades.
 /// This exceeds 15 |J|/A^2 if the memory oscillates. The error of the number is the error of its solution, plus this
 /// curvature, plus |dJ/dA| times the error of the length, which is the error of the load over dW/dA.
+///
+/// Results are computed when they are asked for; what they share is kept. There is no lock: only one thread at a time may
+/// call the members of an object, const ones, too. Different objects may be used at the same time.
 class SolvedNip {
  public:
   using Number = std::function<Functional(const Solution&)>;
@@ -51,9 +54,10 @@ class SolvedNip {
   using AtPlace = std::function<std::vector<Functional>(const Solution&, const ContactPlace&)>;
   [[nodiscard]] std::vector<InBoth> at_place(const ContactPlace& place, double reach,
                                              const AtPlace& numbers) const;
-  /// The reach of a place whose distance from the end has the error `unsure`.
+  /// The reach of a place whose distance from the end has the error `unsure`. The distance also has three roundings of
+  /// 2^-53: those of Y in half-thicknesses, of its distance from the middle and of the difference from the half-length.
   [[nodiscard]] static double reach(const ContactPlace& place, double unsure) {
-    return unsure + 0x1p-52 * std::fabs(place.e);
+    return unsure + 3 * 0x1p-53 * std::fabs(place.e);
   }
   /// Solves with more terms. Returns false if rounding dominates, so that more terms do not help.
   bool refine();
@@ -93,11 +97,13 @@ class SolvedNip {
   double longest_whole_ = longest_whole;  ///< less once rounding has required several panels
   double sought_;                         ///< the best half-length found so far
   double nats_ = 0;
-  double exponent_;  ///< d ln load/d ln length
-  std::unique_ptr<Work> work_ = std::make_unique<Work>();
+  double exponent_;                                        ///< d ln load/d ln length
+  std::unique_ptr<Work> work_ = std::make_unique<Work>();  ///< grows in const members, too
   std::unique_ptr<const Solution> solution_;
+  /// A_0 of a given load: the last but one contact of the search or, when a number first needs it, a slightly longer one.
   mutable std::unique_ptr<const Solution> neighbour_;
-  mutable std::optional<Estimate> length_;
+  mutable std::optional<Estimate>
+      length_;  ///< kept by half_length_estimate() until there is another solution
 };
 
 }  // namespace nipref::fast

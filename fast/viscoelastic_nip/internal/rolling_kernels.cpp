@@ -53,8 +53,11 @@ Tractions::Kernel for_both_parts(std::vector<Complex> rates, const Kernels&... k
 
 RollingKernels::RollingKernels(const RollingSheet& sheet)
     : sheet_(sheet), fades_(fades(internal::Kernel::I1)), slowest_amplitude_(amplitude_of_I1()) {
+  // The memory of a wave e^(i z |alpha|) is the wave over rate - i z ahead of the load, over rate + i z behind it.
+  const Complex turned = Complex(0, 1) * slowest_root();
   for (const auto& [amplitude, rate] : sheet.normal.terms)
-    slowest_amplitude_ += amplitude_of_I1() * std::abs(amplitude) / (rate.real() + slowest_root().imag());
+    slowest_amplitude_ += amplitude_of_I1() * std::abs(amplitude) /
+                          std::min(rate.real() - turned.real(), std::abs(rate.real() + turned));
 }
 
 RollingKernels::Fades RollingKernels::fades(internal::Kernel kernel) const {
@@ -135,10 +138,11 @@ RollingKernels::Sized RollingKernels::strain_at(double alpha, const internal::Su
         return internal::steady_memory_of_slope(internal::Kernel::I3, at, fade, Accuracy());
       },
       [](Complex /*part*/, double faded, Complex /*rate*/) { return 2 * pi * faded; });
-  // Slopes for complex rates that are not large are differences of numbers of the size of I3.
+  // Slopes for complex rates that are not large are differences of I3 minus its limit, at most pi/2, and rate times its
+  // memory. By parts, the latter is at most the former and the change of I3 ahead, which is at most pi/2: 3 pi/2 in all.
   for (const auto& [amplitude, rate] : sheet_.normal.terms)
     if (rate.imag() != 0 && std::abs(rate) < internal::polynomial_from)
-      sum.size += std::abs(amplitude) * pi / 2;
+      sum.size += std::abs(amplitude) * 3 * pi / 2;
   for (const auto& [amplitude, rate] : sheet_.theta2) {
     if (alpha >= 0) continue;
     const Complex trace = -pi * amplitude * internal::faded_exp(-rate * alpha);

@@ -43,7 +43,8 @@ class RollingKernels {
   /// whole contact cancel. Rounding of alpha and of rate alpha changes the phase of a trace, so that its relative error
   /// is 2 u |rate alpha|. A number of size s counts with the error 32 u s (see Solution); therefore |rate alpha|/16
   /// times the trace is added to the size. size_of_trace(part, |amplitude| e^(Re rate alpha), rate) bounds the trace:
-  /// for I1 it is the part itself; for I3, which is within pi/2 of its limits, 2 pi/|rate| per unit of amplitude.
+  /// for I1 it is the part itself; for I3 it is 2 pi/|rate| per unit of amplitude, an upper bound of pi/2 for the step
+  /// from one limit to the other, pi/2 for that of the rest, and pi/2 for the change of the rest on both sides.
   template <class Sum, class MemoryOf, class SizeOfTrace>
   void add_terms(Sum& sum, double alpha, const Fades& fades, const MemoryOf& memory,
                  const SizeOfTrace& size_of_trace) const;
@@ -52,8 +53,9 @@ class RollingKernels {
   /// pi times these kernels at alpha; `at` is the same point of the surface.
   ///
   /// Far from the load the displacement is the slowest residue term of I1, with the root z, and its memories. Since
-  /// alpha is rounded, its error is 2 u |z alpha| of its amplitude. At an extremum of the displacement neither its size
-  /// nor its change with the place shows this error, so that |z alpha|/8 times the amplitude is added to the size.
+  /// alpha has one rounding and the place three (SolvedNip::reach), its error is 4 u |z alpha| of its amplitude. At an
+  /// extremum of the displacement neither its size nor its change with the place shows this error, so that |z alpha|/8
+  /// times the amplitude is added to the size.
   [[nodiscard]] Sized normal_at(double alpha, const internal::SurfacePoint& at) const;
   [[nodiscard]] Sized tangential_at(double alpha, const internal::SurfacePoint& at) const;
   [[nodiscard]] Sized strain_at(double alpha, const internal::SurfacePoint& at) const;
@@ -74,10 +76,13 @@ class RollingKernels {
   };
 
   const RollingSheet& sheet_;
-  Fades fades_;               ///< memories of I1
-  double slowest_amplitude_;  ///< bound of the slowest residue term and its memories at alpha = 0
-  mutable KeptRest kept_rest_{};
-  mutable Fades fades_along_;  ///< memories of I3, once along() has been called
+  Fades fades_;  ///< memories of I1
+  double
+      slowest_amplitude_;  ///< bound of the slowest residue term and, for real rates, its memories at alpha = 0
+  // Kept from call to call without a lock: only one thread at a time may use an object or the kernels made by it. Each
+  // contact has its own.
+  mutable KeptRest kept_rest_{};  ///< of the last width, by ahead(false); replaced when a width does not fit
+  mutable Fades fades_along_;     ///< memories of I3; filled by the first along(), then unchanged
 };
 
 }  // namespace nipref::fast

@@ -97,3 +97,24 @@ TEST_CASE("kernels of displacements from the face are as large as errors take th
   CHECK(integral <= 0.8);
   CHECK(integral >= 0.75);
 }
+
+TEST_CASE("kernels of stresses are as large as errors take them for") {
+  double largest = 0;
+  for (const double distance : {1.0, 0.7, 0.3, 0.1, 1e-2, 1e-4, 1e-6}) {
+    double across = 0, along = 0, under_shear = 0;
+    constexpr double step = 0.05;
+    for (double log_alpha = -24; log_alpha < 3; log_alpha += step) {
+      const double a = std::exp(log_alpha);
+      const SheetStresses pressed = sheet_stresses(a, 1 - distance, data::SheetLoad::normal);
+      across += 2 * a * std::fabs(pressed.across) * step;
+      along += 2 * a * std::fabs(pressed.along) * step;
+      if (a < 1)
+        under_shear +=
+            2 * a * std::fabs(sheet_stresses(a, 1 - distance, data::SheetLoad::shear).along) * step;
+    }
+    largest = std::max({largest, across, along});
+    CHECK(under_shear <= 2 * std::numbers::inv_pi * std::log1p(std::pow(2 / distance, 2)));
+  }
+  CHECK(largest <= 2.01);
+  CHECK(largest >= 1.99);
+}
