@@ -199,6 +199,8 @@ double panel_length(double w, double rate_size, double tiny) {
 
 Complex piece(Kernel kernel, double w, double end, double length, Complex rate, Accuracy accuracy) {
   length = std::min(length, faded_nats / std::max(rate.real(), 1e-300));
+  // The second distance exceeds the first if |rate| length > 1e4, and causes the error (1e-13 |rate| length)^2. This is
+  // less than a rounding for each radian up to 1e10 radians.
   const double tiny = std::max(nearest_panel(std::abs(rate), length), 1e-13 * length);
   Complex sum = 0;
   double done = 0;

@@ -49,7 +49,8 @@ struct LocalMaximum {
   double before, after;  ///< the places between which it was found
 };
 
-/// The local maxima of f >= 0 on the rising `places`, each refined between its neighbours; there is at least one.
+/// The local maxima of f >= 0 on the rising `places`; there is at least one. Each is refined between its neighbours, to
+/// 2^-29 of their distance: there f differs from its maximum by about 2^-58 of its change between them.
 std::vector<LocalMaximum> local_maxima(const std::function<double(double)>& f,
                                        const std::vector<double>& places);
 const LocalMaximum& largest_of(const std::vector<LocalMaximum>& maxima);
