@@ -185,45 +185,64 @@ Intervals kernel_moments(const Moments& moments, SmoothKernel& kernel) {
   return result;
 }
 
-/// The moments of M(x) = int_0^inf e^{-r w} I1(x + w) dw = ln(x) E(x) + S(x), E = (e^{r x} - 1)/r.
-Intervals memory_moments(const Moments& moments, const mpq_class& rate, const Interval& share, double nats) {
-  const Interval r = Interval(rate, working_bits()), A = moments.half_length(), top = upper(A);
-  const long n = moments.points();
-  // The coefficients of cos(l theta) in E.
-  Intervals e{A, -A};
+// The memory of I1 at the distance x from the leading end is M(x) = int_0^inf e^{-r w} I1(x + w) dw = E(x) ln(x) + S(x).
+// As I1(x) = J(x) - ln(x), J analytic, and M' = r M - I1, the factor of the logarithm is E = (e^{r x} - 1)/r, and S, which
+// is analytic, too, satisfies S' = r S - J - E/x.
+
+/// The factor E at x = A (1 - cos theta), a sum of e_l cos(l theta). `left_out` bounds the sum of all further |e_l|.
+struct LogarithmFactor {
+  Intervals coefficients;
   Interval left_out = zero();
-  if (rate != 0) {
+
+  LogarithmFactor(bool rate_is_0, const Interval& r, const Interval& A, long n) {
+    if (rate_is_0) {
+      coefficients = {A, -A};  // E = x
+      return;
+    }
     const Intervals bessel = scaled_bessel(r * A, n);
     const Interval growth = exp(2 * (r * A));
-    e = {(growth * bessel[0] - 1) / r};
+    coefficients = {(growth * bessel[0] - 1) / r};
     for (long l = 1; l < n; ++l)
-      e.push_back((l % 2 == 0 ? 2 : -2) * (growth * bessel[static_cast<std::size_t>(l)] / r));
+      coefficients.push_back((l % 2 == 0 ? 2 : -2) * (growth * bessel[static_cast<std::size_t>(l)] / r));
     left_out = 4 * growth * bessel.back() / r;
   }
-  Intervals values;
-  for (const Interval& x : moments.places()) {
-    const Float near = middle_of(x);
-    const Interval here = interval_of(near), growth = exp(r * here);
-    const Interval E = rate == 0 ? here : (growth - 1) / r;
-    const Interval value = steady_memory(Symbol::I1, to_exact(near), Exact(rate), nats) - log(here) * E;
-    // |S'| = |r S - J - E/x| with |J| <= 1 + 2 x. Within a distance d this bound grows by less than e^((2 r + 2) d), so
-    // that twice its value in the middle of the interval, which is as narrow as rounding makes it, is a bound in all of
-    // it.
-    const Interval slope = 2 * (r * magnitude_of(value) + 1 + 2 * here + growth);
-    values.push_back(value.widened(magnitude_of(slope) * distance_from(near, x)));
-  }
-  // The ellipse's rate is at most 3/2. S in the ellipse is bounded by S on the axis and S' = r S - J - E/x.
-  const Interval tau = entry_bounds(top, static_cast<int>(n / 2)).rate, most_tau(1.5, working_bits());
-  const Ellipse ellipse(top, mpfr_less_p(tau.lower(), most_tau.lower()) != 0 ? tau : most_tau);
-  const Interval way = ellipse.height + ellipse.width - top;
-  const Interval far = exp(r * (top + ellipse.width)), two_A = 2 * top;
+};
+
+/// S at x, computed at a number next to x. On the way to x it changes by |S'| <= |r S| + |J| + |E/x| times the distance,
+/// with |J| <= 1 + 2 x and |E/x| <= e^{r x}. Within a distance d this bound grows by less than e^((2 r + 2) d), so that
+/// twice its value in the middle of the interval x, which is as narrow as rounding makes it, is a bound in all of it.
+Interval smooth_memory(const Interval& x, const mpq_class& rate, const Interval& r, double nats) {
+  const Float near = middle_of(x);
+  const Interval here = interval_of(near), growth = exp(r * here);
+  const Interval E = rate == 0 ? here : (growth - 1) / r;
+  const Interval S = steady_memory(Symbol::I1, to_exact(near), Exact(rate), nats) - log(here) * E;
+  const Interval slope = 2 * (r * magnitude_of(S) + 1 + 2 * here + growth);
+  return S.widened(magnitude_of(slope) * distance_from(near, x));
+}
+
+/// A bound for |S| in the ellipse. On the axis, 0 < x < 2A, it is |M| <= int_0^inf |I1| <= 4 plus |E ln(x)| <=
+/// |x ln(x)| e^{r x}. From there a way of at most `way` leads to any place of the ellipse, on which S' bounds the growth,
+/// with |E/x| <= e^{r |x|}.
+Interval smooth_memory_bound(const Ellipse& ellipse, const Interval& r, const Interval& half_length) {
+  const Interval way = ellipse.height + ellipse.width - half_length;
+  const Interval far = exp(r * (half_length + ellipse.width)), two_A = 2 * half_length;
   const Interval log_size = larger_of(two_A * magnitude_of(log(two_A)), Interval(1L, working_bits()));
   const Interval on_axis = log_size * exp(r * two_A) + 4;
-  const Interval bound = exp(r * way) * (on_axis + way * (ellipse.smooth_kernel(top) + far));
-  Intervals result = moments.smooth(values, bound, ellipse.rate);
-  const Intervals logarithm = moments.logarithmic(e, left_out);
-  // A relative error of the rate changes M by at most twice that error: ref/memory/README.md, What a displacement
-  // changes by, with int_0^inf |I1| <= 4.
+  return exp(r * way) * (on_axis + way * (ellipse.smooth_kernel(half_length) + far));
+}
+
+/// The moments of M. A relative error `share` of the rate changes M by at most twice that error: ref/memory/README.md, What
+/// a displacement changes by, with int_0^inf |I1| <= 4.
+Intervals memory_moments(const Moments& moments, const mpq_class& rate, const Interval& share, double nats) {
+  const Interval r = Interval(rate, working_bits()), top = upper(moments.half_length());
+  const long n = moments.points();
+  Intervals values;
+  for (const Interval& x : moments.places()) values.push_back(smooth_memory(x, rate, r, nats));
+  const Interval tau = entry_bounds(top, static_cast<int>(n / 2)).rate, most_tau(1.5, working_bits());
+  const Ellipse ellipse(top, mpfr_less_p(tau.lower(), most_tau.lower()) != 0 ? tau : most_tau);
+  Intervals result = moments.smooth(values, smooth_memory_bound(ellipse, r, top), ellipse.rate);
+  const LogarithmFactor factor(rate == 0, r, moments.half_length(), n);
+  const Intervals logarithm = moments.logarithmic(factor.coefficients, factor.left_out);
   for (std::size_t k = 0; k < result.size(); ++k) result[k] = (result[k] + logarithm[k]).widened(2 * share);
   return result;
 }
