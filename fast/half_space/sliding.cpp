@@ -62,8 +62,7 @@ Estimate SlidingLine::pressure(double x) const {
     return std::fabs(std::log(std::max(distance, distance_error) / span));
   };
   // The exponents add up to 1, so that the span counts once. A change of the shares counts with the logarithms of both
-  // distances over the span and with that of the shares' ratio, at most once the uncertainty as in rounding(). 4 is an
-  // upper bound of these two.
+  // distances and of the shares' ratio, the latter as in rounding() less than once. 4 is an upper bound of the two.
   const double of_powers = uncertainty * (4 + logarithm(ahead) + logarithm(behind));
   return Estimate{peak_pressure, uncertainty * peak_pressure} *
          Estimate{shape.value, shape.error + shape.value * of_powers};

@@ -320,10 +320,9 @@ Estimate ConvergedNip::surface_strain(double y) const {
   const ContactPlace place = nip_->place_of(y);
   if (place.e < 0) return times(nip_->units.creep / 2, nip_->field().at({place, 1, false}).along);
   Estimate creep = creep_ratio();
-  // If the end may be farther inwards, the strain may be that outside the contact. Beside the end it differs from the
-  // creep by the transform H[q] of the shear, which is a power like g and at most |g| at the same distance d inside. As d
-  // is at most unsure_end() - e, and either g(e) or its change to g(e + unsure_end()) is half of the latter or more, twice
-  // the errors of both tractions cover it.
+  // If the end may be farther inwards, the strain may be that outside the contact. At the distance d <= unsure_end() - e
+  // from the end it differs from the creep by the Hilbert transform of the shear, at most |g(d)| inside. As g(e) or its
+  // change to g(e + unsure_end()) is half of the latter or more, twice the errors of both tractions cover it.
   if (place.e < nip_->unsure_end()) {
     for (const auto component : {TractionComponent::pressure, TractionComponent::shear})
       creep.error += 2 * nip_->units.creep * nip_->traction(component, place).error;

@@ -13,8 +13,7 @@ namespace {
 
 bool is_sure(const Estimate& number) { return std::fabs(number.value) > number.error; }
 
-/// The distance from `place` at which |f| exceeds `error` on both sides, at most `most`, or up to 1.2 times this distance.
-/// It is at least a unit in the last place of places as large as these.
+/// The distance from `place` at which |f| exceeds `error` on both sides, at most `most`.
 double unsure_distance(const std::function<double(double)>& f, double place, double error, double most) {
   double distance = 0x1p-52 * std::max(std::fabs(place), most);
   while (distance < most &&

@@ -186,8 +186,7 @@ Intervals kernel_moments(const Moments& moments, SmoothKernel& kernel) {
 }
 
 // The memory of I1 at the distance x from the leading end is M(x) = int_0^inf e^{-r w} I1(x + w) dw = E(x) ln(x) + S(x).
-// As I1(x) = J(x) - ln(x), J analytic, and M' = r M - I1, the factor of the logarithm is E = (e^{r x} - 1)/r, and S, which
-// is analytic, too, satisfies S' = r S - J - E/x.
+// As I1 = J - ln(x) with J analytic and M' = r M - I1, E is (e^{r x} - 1)/r, S analytic and S' = r S - J - E/x.
 
 /// The factor E at x = A (1 - cos theta), a sum of e_l cos(l theta). `left_out` bounds the sum of all further |e_l|.
 struct LogarithmFactor {
