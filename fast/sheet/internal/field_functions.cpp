@@ -52,8 +52,14 @@ AlongWaves::AlongWaves(double alpha)
                                     : terms_at(alpha)) {
   const auto size = static_cast<std::size_t>(count);
   std::array<double, field_roots> real, imaginary;
-  sheet_code().waves(alpha, 0, real.data(), imaginary.data(), size);
+  const bool is_far =
+      alpha > 300;  // where one wave alone contributes, and is a normal number at half the distance
+  sheet_code().waves(is_far ? alpha / 2 : alpha, 0, real.data(), imaginary.data(), size);
   for (std::size_t n = 0; n < size; ++n) of[n] = {real[n], imaginary[n]};
+  if (is_far && count > 0) {
+    scale = std::abs(of[0]);
+    of[0] *= of[0] / scale;
+  }
 }
 
 AcrossWaves::AcrossWaves(double depth, int count) {
@@ -78,6 +84,7 @@ FieldFunctions decaying(const AlongWaves& along, const AcrossWaves& across, Fiel
       sum.of[f].im -= a[0] * odd.imag() + a[1] * odd.real();
     }
   }
+  for (ComplexValue& value : sum.of) value = {value.re * along.scale, value.im * along.scale};
   return sum;
 }
 

@@ -31,12 +31,14 @@ struct FieldFunctions {
 /// functions from I5 on.
 FieldFunctions near_rest(double alpha, double depth, FieldFunction first);
 
-/// e^{i alpha z_n} for the roots that contribute at alpha, or for all field_roots roots if alpha < near_load_end.
+/// e^{i alpha z_n}/scale for the roots that contribute at alpha, or for all field_roots roots if alpha < near_load_end.
+/// The scale is 1, but where the waves would be subnormal numbers it keeps their 53 bits.
 struct AlongWaves {
   explicit AlongWaves(double alpha);
 
   int count;
   std::array<std::complex<double>, field_roots> of;
+  double scale = 1;
 };
 
 /// cosh(s z_n) and sinh(s z_n) for the first `count` roots, where s is the depth.

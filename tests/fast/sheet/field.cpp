@@ -1,4 +1,5 @@
 #include <nipref/fast/sheet/field.hpp>
+#include <nipref/fast/sheet/roots.hpp>
 
 #include "support/test.hpp"
 
@@ -19,6 +20,21 @@ TEST_CASE("what is odd in alpha stays proportional to it down to the smallest do
     check(sheet_u(-least, depth, shear, 0.3), sheet_u(-small, depth, shear, 0.3));
     check(sheet_v(least, 0, depth, normal, 0.3), sheet_v(small, 0, depth, normal, 0.3));
   }
+}
+
+TEST_CASE("far from the load the field is one wave down to the subnormal numbers") {
+  // Re(a e^(i z alpha)) at three places a step h apart: f(alpha + h) = 2 e^(-d h) cos(w h) f(alpha) - e^(-2 d h)
+  // f(alpha - h), with z = w + i d.
+  const double h = 10, fall = std::exp(-h * sheet_root(1).imag()), turn = h * sheet_root(1).real();
+  const auto check = [&](const auto& f) {
+    const double nearest = f(320.0), near = f(330.0),
+                 size = fall * (std::fabs(near) + fall * std::fabs(nearest));
+    CHECK(std::fabs(f(340.0) - fall * (2 * std::cos(turn) * near - fall * nearest)) <=
+          1e-12 * size + 0x1p-1071);
+  };
+  check([](double alpha) { return un_slope(alpha, data::Derivative::first); });
+  check([](double alpha) { return vn_slope(alpha, data::Derivative::first); });
+  check([](double alpha) { return sheet_u(alpha, 0.3, normal, 0.5); });
 }
 
 TEST_CASE("beside the loads the faces are free of stress, exactly") {
