@@ -329,13 +329,12 @@ Work PartialSlipNip::work() const { return *nip_->task.work; }
 
 namespace {
 
-PartialSlipNip partial_slip(const data::PartialSlipNip& nip, const ContactUnits& units,
-                            const PartialSlipTask& task, double accuracy) {
+/// The contact whose first discretisation has `nats` or, if zones are missing, more; nothing if zones are not found.
+std::optional<Solutions> with_zones(const PartialSlipTask& task, double nats, double accuracy) {
   const double rough = rough_nats(task.friction);
-  double nats = std::max(std::log(8 / accuracy), rough - nats_apart);
   // The zones are sought with the first contact, if it is accurate enough for that, or with the second.
   const auto found = find_zones(task, nats < rough ? nats + nats_apart : nats);
-  if (!found) refuse_drive(nip, units.load * (task.load ? *task.load : load_guess(*task.length / 2)));
+  if (!found) return std::nullopt;
   std::vector<ZoneContact> known{*found};
   std::optional<Solutions> solutions;
   // While the whole misses its accuracy because zones are missing, better accuracies may show them.
@@ -348,7 +347,20 @@ PartialSlipNip partial_slip(const data::PartialSlipNip& nip, const ContactUnits&
     if (auto compared = with_differences(task, *std::move(second), nats, known))
       solutions = std::move(compared);
   }
-  if (!solutions) refuse_drive(nip, units.load * found->load());
+  return solutions;
+}
+
+PartialSlipNip partial_slip(const data::PartialSlipNip& nip, const ContactUnits& units,
+                            const PartialSlipTask& task, double accuracy) {
+  const double least = rough_nats(task.friction) - nats_apart;
+  double nats = std::max(std::log(8 / accuracy), least);
+  auto solutions = with_zones(task, nats, accuracy);
+  // Where rounding hides zones at the contact's ends, fewer unknowns may show them.
+  while (!solutions && nats > least) {
+    nats = std::max(nats - 2 * nats_apart, least);
+    solutions = with_zones(task, nats, accuracy);
+  }
+  if (!solutions) refuse_drive(nip, units.load * (task.load ? *task.load : load_guess(*task.length / 2)));
   return PartialSlipNip(std::make_unique<PartialSlipNip::Implementation>(
       PartialSlipNip::Implementation{*std::move(solutions), nip.roller_radius, units, task}));
 }
