@@ -34,11 +34,11 @@ TEST_CASE("golden values are what they were: every file to the last character, a
     const std::string bytes = data::text_of_input_file(verify::golden_path(quantity.name), "file");
     CHECK(verify::checksums_of(data::golden_directory()).at(quantity.name + ".csv") == verify::sha256(bytes));
     verify::GoldenFile file = verify::read_golden(verify::golden_path(quantity.name));
-    // One row is enough if a value takes seconds.
-    const std::size_t often = is_thorough() ? 5 : 20, step = quantity.audit_points >= 20'000 ? often
-                                                             : quantity.audit_points >= 20   ? 4 * often
-                                                                                           : file.rows.size();
-    const verify::CheckOptions options{false, step};
+    // One row is enough if a value takes seconds. .ci/thorough checks as `golden check` does.
+    const std::size_t step = quantity.audit_points >= 20'000 ? 20
+                             : quantity.audit_points >= 20   ? 80
+                                                             : file.rows.size();
+    const verify::CheckOptions options{false, is_thorough() ? 1 : step};
     const verify::CheckedGolden checked = verify::check_rows(quantity, file, options);
     CHECK(checked.recomputed >= 1);
     for (const verify::GoldenFailure& failure : checked.failures) FAIL_CHECK(failure.what);
