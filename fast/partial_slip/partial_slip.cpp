@@ -90,9 +90,13 @@ struct PartialSlipNip::Implementation : Solutions {
   [[nodiscard]] Estimate of_displacement(const auto& number) const {
     return estimate(number, units.displacement, std::pow(length(), 2));
   }
+  /// A strain. Almost full slip makes the creep sensitive to the rounding of load and traction.
   [[nodiscard]] Estimate of_strain(const auto& number) const {
-    return estimate(number, units.creep, length());
+    Estimate strain = estimate(number, units.creep, length());
+    strain.error += units.creep * rounding_of_creep();
+    return strain;
   }
+  [[nodiscard]] double rounding_of_creep() const { return of_rounding(of_rounding.size() - 1); }
   /// A strain at Y, with the effect of the errors of the tractions about Y and of the place.
   [[nodiscard]] Estimate of_strain_at(double y, const auto& function) const {
     Estimate strain = of_strain(at(y, function));
@@ -242,7 +246,9 @@ Estimate PartialSlipNip::dissipation() const {
                                  nip_->task.friction * nip_->second.load() * nip_->length());
   // The work of the rollers is equal to the dissipation and is computed in another way.
   const double put_in = nip_->second.creep() * nip_->second.tangential_load() + 2 * nip_->second.moment();
-  lost.error += nip_->units.load * nip_->units.creep * std::fabs(nip_->second.dissipation() - put_in);
+  const double of_creep = std::fabs(nip_->second.tangential_load()) * nip_->rounding_of_creep();
+  lost.error +=
+      nip_->units.load * nip_->units.creep * (std::fabs(nip_->second.dissipation() - put_in) + of_creep);
   return lost;
 }
 
@@ -257,7 +263,6 @@ Estimate PartialSlipNip::peak_shear_position() const { return nip_->peak_positio
 std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
   const ZoneContact& contact = nip_->second;
   const std::vector<bool>& lacks_zones = nip_->lacks_zones;
-  const Eigen::VectorXd of_rounding = contact.rounding_of_ends();
   const std::size_t end = contact.zones().size();
   std::vector<Estimate> all;
   for (std::size_t k = 0; k <= end; ++k) {
@@ -266,7 +271,7 @@ std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
     double& error = all.back().error;
     const double of_discretisation =
         is_smooth(contact, k) ? nip_->of_boundaries * longer_beside(contact, k) : 0;
-    error += nip_->units.length * (of_discretisation + of_rounding(static_cast<Eigen::Index>(k) - 1));
+    error += nip_->units.length * (of_discretisation + nip_->of_rounding(static_cast<Eigen::Index>(k) - 1));
     // Zones that are left out beside a boundary are at most as long as the shorter zone beside it.
     if (lacks_zones[k - 1] || lacks_zones[k]) error += nip_->units.length * shorter_beside(contact, k);
   }
@@ -308,6 +313,7 @@ Estimate PartialSlipNip::tangential_displacement(double y) const {
   };
   const double scale = nip_->length() * std::max(nip_->length(), std::fabs(y / nip_->units.length));
   Estimate displacement = nip_->estimate(nip_->at(y, relative), nip_->units.displacement, scale);
+  displacement.error += nip_->units.displacement * nip_->length() * nip_->rounding_of_creep();
   for (const double place : {nip_->place(0), nip_->place(y)})
     displacement.error += nip_->units.displacement * nip_->length() * nip_->error_by_tractions(place);
   return displacement;

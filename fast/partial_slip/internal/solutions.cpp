@@ -141,10 +141,12 @@ std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneConta
   const double relative = mean_excess(second, mu) + 2 * std::max(1.0, mu) * part_left_out + of_whole +
                           second_order(*first, second);
   std::vector<ZoneContact::Traction> wrong = wrong_by(second, excess, is_left_out, mu);
+  Eigen::VectorXd of_rounding = second.rounding();
   return Solutions{.first = *std::move(first),
                    .second = std::move(second),
                    .relative = relative,
                    .of_boundaries = of_boundaries,
+                   .of_rounding = std::move(of_rounding),
                    .of_tractions = std::move(of_tractions),
                    .wrong_tractions = std::move(wrong),
                    .lacks_zones = std::move(lacks_zones)};

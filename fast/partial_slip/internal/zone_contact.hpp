@@ -33,7 +33,7 @@ class ZoneContact {
     return displacement(0).normal + leading_length() * leading_length();
   }
   [[nodiscard]] Eigen::Index unknowns() const { return equations_->unknowns().size(); }
-  [[nodiscard]] Eigen::VectorXd rounding_of_ends() const { return equations_->rounding_of_ends(); }
+  [[nodiscard]] Eigen::VectorXd rounding() const { return equations_->rounding(); }
   /// int p (L1 - e) de
   [[nodiscard]] double moment() const;
   /// -int q (v' - creep) de

@@ -185,7 +185,7 @@ Eigen::VectorXd ZoneEquations::residual() const {
                       task_.creep ? creep() - *task_.creep : of.tangential.sum() - *task_.traction);
 }
 
-Eigen::VectorXd ZoneEquations::rounding_of_ends() const {
+Eigen::VectorXd ZoneEquations::rounding() const {
   constexpr double operations = 12, largest_rest = 0.25;  // largest_rest: of S far away
   const Forces forces = this->forces();
   const Eigen::VectorXd normal = forces.normal.abs(), tangential = forces.tangential.abs();
@@ -200,12 +200,12 @@ Eigen::VectorXd ZoneEquations::rounding_of_ends() const {
                         2 * (leading_length() - places(mesh_.midpoints())).abs(),
                     along.array() + rest + task_.beta * p_here.array().abs() + std::fabs(creep())},
                    task_.load ? normal.sum() : length(), task_.creep ? std::fabs(creep()) : tangential.sum());
-  Eigen::MatrixXd ends_by_equations = lengths_by_equations_;
+  Eigen::MatrixXd by_equations = by_equations_;
   for (Index z = 0; z < std::ssize(zones_); ++z) {
-    ends_by_equations.col(z) *= zones_[static_cast<std::size_t>(z)].length;
-    if (z > 0) ends_by_equations.col(z) += ends_by_equations.col(z - 1);
+    by_equations.col(z) *= zones_[static_cast<std::size_t>(z)].length;
+    if (z > 0) by_equations.col(z) += by_equations.col(z - 1);
   }
-  return operations * 0x1p-53 * (ends_by_equations.cwiseAbs().transpose() * sizes);
+  return operations * 0x1p-53 * (by_equations.cwiseAbs().transpose() * sizes);
 }
 
 Eigen::MatrixXd ZoneEquations::jacobian() const {
@@ -263,10 +263,12 @@ bool ZoneEquations::iterate() {
   Elimination derivatives;
   if (!converges(derivatives)) return false;
   const Index zones = std::ssize(zones_);
-  lengths_by_equations_.resize(derivatives.size(), zones);
-  for (Index z = 0; z < zones; ++z)
-    lengths_by_equations_.col(z) =
-        derivatives.solve_transposed(Eigen::VectorXd::Unit(derivatives.size(), unknowns_.size() + z));
+  by_equations_.resize(derivatives.size(), zones + 1);
+  const Index creep = unknowns_.size() - 1;
+  for (Index k = 0; k <= zones; ++k) {
+    const Index unknown = k < zones ? unknowns_.size() + k : creep;
+    by_equations_.col(k) = derivatives.solve_transposed(Eigen::VectorXd::Unit(derivatives.size(), unknown));
+  }
   return true;
 }
 

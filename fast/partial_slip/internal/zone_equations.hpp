@@ -43,11 +43,12 @@ class ZoneEquations {
     Eigen::ArrayXd normal, along;
   };
   [[nodiscard]] Misfits misfits() const;
-  /// The rounding errors of the zones' ends, as distances from the leading end: |E J^-1| times the sizes of the
-  /// equations' terms, times 2^-53 for each operation in a term: four for a weight, two for a traction, five for a
-  /// kernel, and their product. J, the derivatives with respect to all unknowns and the logarithms of the zones'
-  /// lengths, is that of Newton's last steps. E has the derivatives of the ends with respect to all these.
-  [[nodiscard]] Eigen::VectorXd rounding_of_ends() const;
+  /// The rounding errors of the zones' ends, as distances from the leading end, and then of the creep: |E J^-1| times
+  /// the sizes of the equations' terms, among them load and traction, times 2^-53 for each operation in a term: four for
+  /// a weight, two for a traction, five for a kernel, and their product. J, the derivatives with respect to all unknowns
+  /// and the logarithms of the zones' lengths, is that of Newton's last steps. E has the derivatives of the ends and of
+  /// the creep with respect to all these.
+  [[nodiscard]] Eigen::VectorXd rounding() const;
   [[nodiscard]] Eigen::ArrayXd places(const auto& points) const {
     return Eigen::ArrayXd::NullaryExpr(static_cast<Index>(points.size()), [&](Index i) {
       return mesh_.place(points[static_cast<std::size_t>(i)]);
@@ -105,7 +106,7 @@ class ZoneEquations {
   Eigen::SparseMatrix<double> shear_here_, pressure_here_;  ///< of unit unknowns at these midpoints
   Kernels kernels_;                                         ///< of the present zones
   Eigen::VectorXd unknowns_;
-  Eigen::MatrixXd lengths_by_equations_;  ///< rows of J^-1 as columns, a column for each zone
+  Eigen::MatrixXd by_equations_;  ///< rows of J^-1 as columns: for the length of each zone, and for the creep
 };
 
 }  // namespace nipref::fast

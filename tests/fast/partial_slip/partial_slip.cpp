@@ -373,6 +373,19 @@ TEST_CASE("where rounding hides zones at the best accuracy they are found with f
   CHECK(std::fabs(best.load().value - usual.load().value) <= best.load().error + usual.load().error);
 }
 
+TEST_CASE("next to full slip the creep's error covers what a rounding of the traction changes") {
+  constexpr double mu = 1.3813915371429175, load = 0.0005526787708731717, least = 0.99997;
+  const auto creep_at = [&](int units) {
+    const GivenTraction drive{-least * mu * load * (1 + units * 0x1p-52)};
+    return fast::partial_slip_for_load({{20, 0.016, {1.05, -0.776}}, mu, drive}, load, 7e-13).creep_ratio();
+  };
+  const fast::Estimate creep = creep_at(0);
+  for (const int units : {-2, -1, 1, 2}) {
+    const fast::Estimate other = creep_at(units);
+    CHECK(std::fabs(other.value - creep.value) <= creep.error + other.error);
+  }
+}
+
 TEST_CASE("zones that a solution leaves out change it by no more than it says") {
   // Slip changes its direction in the last 7e-4 of the contact, and with it the exponent of the pressure there.
   const fast::PartialSlipTask task{
