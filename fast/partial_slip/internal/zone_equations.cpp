@@ -149,9 +149,9 @@ void ZoneEquations::add_of_cauchy(const Eigen::MatrixXd& cauchy, const Eigen::Ve
       ArrayXd sums = ArrayXd::Zero(rows);
       for (Index j = 0; j < nodes; ++j) {
         const double within = mesh_.from_end(mesh_.nodes()[static_cast<std::size_t>(node + j)], !ahead);
-        const ArrayXd grows = ((ahead ? -pi : pi) * force(j)) * kernel.col(j).array().square();
-        of_zone += force(j) * kernel.col(j).array() + within * grows;
-        sums += grows;
+        const ArrayXd by_distance = ((ahead ? -pi : pi) * force(j)) * kernel.col(j).array().square();
+        of_zone += force(j) * kernel.col(j).array() + within * by_distance;
+        sums += by_distance;
       }
       for (Index i = 0; i < rows; ++i) {
         const ZoneMesh::Point& here = mesh_.midpoints()[static_cast<std::size_t>(row + i)];
