@@ -8,7 +8,7 @@ namespace nipref::fast::internal::NIPREF_ISA {
 namespace {
 
 using Eigen::MatrixXd;
-using Eigen::OuterStride;
+using Factor = Eigen::Map<const MatrixXd>;
 
 void factor(double* matrix, int* order, std::ptrdiff_t size) {
   Eigen::Map<MatrixXd> in_place(matrix, size, size);
@@ -17,11 +17,9 @@ void factor(double* matrix, int* order, std::ptrdiff_t size) {
 }
 
 void add_product(const double* left, const double* right, double* sum, std::ptrdiff_t rows,
-                 std::ptrdiff_t inner, std::ptrdiff_t columns, std::ptrdiff_t left_stride,
-                 std::ptrdiff_t sum_stride) {
-  Eigen::Map<MatrixXd, 0, OuterStride<>>(sum, rows, columns, OuterStride<>(sum_stride)).noalias() +=
-      Eigen::Map<const MatrixXd, 0, OuterStride<>>(left, rows, inner, OuterStride<>(left_stride)) *
-      Eigen::Map<const MatrixXd>(right, inner, columns);
+                 std::ptrdiff_t inner, std::ptrdiff_t columns, std::ptrdiff_t stride) {
+  Eigen::Map<MatrixXd, 0, Eigen::OuterStride<>>(sum, rows, columns, Eigen::OuterStride<>(stride)).noalias() +=
+      Factor(left, rows, inner) * Factor(right, inner, columns);
 }
 
 }  // namespace

@@ -12,11 +12,10 @@ namespace nipref::fast::internal {
 struct DenseCode {
   /// Replaces a square matrix A by the factors of P A = L U; row i of A is row order[i] of P A.
   void (*factor)(double* matrix, int* order, std::ptrdiff_t size);
-  /// Adds the product of `left` (rows x inner) and `right` (inner x columns) to `sum` (rows x columns). The columns of
-  /// `left` and of `sum` begin so many numbers apart as their strides say.
+  /// Adds the product of `left` (rows x inner) and `right` (inner x columns) to `sum` (rows x columns), whose columns
+  /// begin `stride` numbers apart.
   void (*add_product)(const double* left, const double* right, double* sum, std::ptrdiff_t rows,
-                      std::ptrdiff_t inner, std::ptrdiff_t columns, std::ptrdiff_t left_stride,
-                      std::ptrdiff_t sum_stride);
+                      std::ptrdiff_t inner, std::ptrdiff_t columns, std::ptrdiff_t stride);
 };
 
 namespace baseline {

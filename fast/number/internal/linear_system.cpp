@@ -52,13 +52,12 @@ double condition_number(const Eigen::MatrixXd& matrix) {
   return 1 / Eigen::PartialPivLU<Eigen::MatrixXd>(matrix).rcond();
 }
 
-void add_product(const Eigen::Ref<const Eigen::MatrixXd>& left, const Eigen::MatrixXd& right,
-                 Eigen::Ref<Eigen::MatrixXd> sum) {
+void add_product(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right, Eigen::Ref<Eigen::MatrixXd> sum) {
   internal::dense_code().add_product(left.data(), right.data(), sum.data(), sum.rows(), right.rows(),
-                                     sum.cols(), left.outerStride(), sum.outerStride());
+                                     sum.cols(), sum.outerStride());
 }
 
-void add_product(const Eigen::Ref<const Eigen::MatrixXd>& left, const Eigen::SparseMatrix<double>& right,
+void add_product(const Eigen::MatrixXd& left, const Eigen::SparseMatrix<double>& right,
                  Eigen::Ref<Eigen::MatrixXd> sum) {
   for (Eigen::Index column = 0; column < right.cols(); ++column)
     for (Eigen::SparseMatrix<double>::InnerIterator entry(right, column); entry; ++entry)

@@ -29,10 +29,9 @@ class Elimination {
 double condition_number(const Eigen::MatrixXd& matrix);
 
 /// sum += left right
-void add_product(const Eigen::Ref<const Eigen::MatrixXd>& left, const Eigen::MatrixXd& right,
-                 Eigen::Ref<Eigen::MatrixXd> sum);
+void add_product(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right, Eigen::Ref<Eigen::MatrixXd> sum);
 /// sum += left right, by columns of `left`. Eigen's own product reads rows of `left`, which are not contiguous.
-void add_product(const Eigen::Ref<const Eigen::MatrixXd>& left, const Eigen::SparseMatrix<double>& right,
+void add_product(const Eigen::MatrixXd& left, const Eigen::SparseMatrix<double>& right,
                  Eigen::Ref<Eigen::MatrixXd> sum);
 Eigen::MatrixXd product(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right);
 Eigen::MatrixXd product(const Eigen::MatrixXd& left, const Eigen::SparseMatrix<double>& right);

@@ -23,20 +23,6 @@ std::vector<Index> matched(const std::vector<ZoneMesh::Midpoint>& midpoints,
   return all;
 }
 
-/// Consecutive numbers in a list: where they stand in it, the first one, and their count.
-struct Run {
-  Index place, first, count;
-};
-std::vector<Run> runs_of(const std::vector<Index>& numbers) {
-  std::vector<Run> runs;
-  for (Index i = 0; i < std::ssize(numbers); ++i) {
-    const Index number = numbers[static_cast<std::size_t>(i)];
-    if (runs.empty() || number != runs.back().first + runs.back().count) runs.push_back({i, number, 0});
-    ++runs.back().count;
-  }
-  return runs;
-}
-
 Sparse rows_of(const Sparse& matrix, const std::vector<Index>& rows) {
   Sparse choice(std::ssize(rows), matrix.rows());
   for (std::size_t i = 0; i < rows.size(); ++i) choice.insert(static_cast<Index>(i), rows[i]) = 1;
@@ -95,12 +81,9 @@ ZoneEquations::Misfits ZoneEquations::misfits() const {
   const Forces forces = this->forces();
   const Eigen::VectorXd normal = forces.normal, tangential = forces.tangential;
   const Rows rest = kernels_.rest.values(normal, tangential);
-  Eigen::VectorXd across = rest.normal + task_.beta * q_here, along = rest.along - task_.beta * p_here;
-  for (Index j = 0; j < normal.size(); ++j) {
-    const auto kernel = kernels_.cauchy.col(j);
-    across += normal(j) * kernel;
-    along += tangential(j) * kernel;
-  }
+  Eigen::VectorXd across = kernels_.cauchy * normal, along = kernels_.cauchy * tangential;
+  across += rest.normal + task_.beta * q_here;
+  along += rest.along - task_.beta * p_here;
   return {across.array() - 2 * (leading_length() - places(mesh_.midpoints())), along.array() - creep()};
 }
 
@@ -219,10 +202,10 @@ Eigen::MatrixXd ZoneEquations::jacobian() const {
   const auto add = [&](const std::vector<Index>& matched, const Sparse& forces,
                        const Eigen::MatrixXd& rest_at_points, const Sparse& here,
                        const Eigen::MatrixXd& of_lengths) {
+    const Eigen::MatrixXd cauchy = kernels_.cauchy(matched, Eigen::all);
     auto rows = jacobian.middleRows(row, std::ssize(matched));
     auto by_tractions = rows.leftCols(unknowns);
-    for (const auto& [place, first, count] : runs_of(matched))
-      add_product(kernels_.cauchy.middleRows(first, count), forces, by_tractions.middleRows(place, count));
+    add_product(cauchy, forces, by_tractions);
     add_product(kernels_.rest.to_targets(matched), rest_at_points, by_tractions);
     by_tractions += here;
     rows.rightCols(zones) = of_lengths(matched, Eigen::all);
