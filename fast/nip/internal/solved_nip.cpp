@@ -96,20 +96,26 @@ const Solution& SolvedNip::neighbour() const {
   return *neighbour_;
 }
 
-double SolvedNip::growth(double here, double there) const {
-  return (there - here) / (neighbour().half_length() - last().half_length());
+double SolvedNip::to_neighbour() const { return neighbour().half_length() - last().half_length(); }
+
+double SolvedNip::load_growth() const {
+  return (neighbour().carried_load() - last().carried_load()) / to_neighbour();
 }
 
-double SolvedNip::load_growth() const { return growth(last().carried_load(), neighbour().carried_load()); }
+double SolvedNip::parts_of_both() const {
+  const double part = (half_length() - last().half_length()) / to_neighbour();
+  return std::fabs(1 - part) + std::fabs(part);
+}
 
 const Estimate& SolvedNip::half_length_estimate() const {
   if (!length_) {
     length_ = {last().half_length(), 0};
     if (load_) {
       const double rise = load_growth();
-      const auto [load, error] = last().estimate(last().load());
+      const auto [load, truncation, rounding] = last().parts(last().load());
       length_->value += (*load_ - load) / rise;
-      length_->error = error / std::fabs(rise) + curvature() * length_->value;
+      const double least_rise = std::max(std::fabs(rise) - 2 * rounding / std::fabs(to_neighbour()), 0.0);
+      length_->error = parts_of_both() * (truncation + rounding) / least_rise + curvature() * length_->value;
     }
   }
   return *length_;
@@ -124,23 +130,14 @@ double SolvedNip::curvature() const {
   return bend * std::fabs(left / here) * std::fabs((here + left - neighbour().half_length()) / here);
 }
 
-Estimate SolvedNip::extrapolated(double here, double error, const std::function<double()>& there) const {
-  if (!load_) return {here, error};
-  const double rise = growth(here, there());
-  const double value = here + rise * (half_length() - last().half_length());
-  return {value, error + std::fabs(rise) * half_length_estimate().error +
-                     curvature() * std::max(std::fabs(value), std::fabs(rise) * half_length())};
-}
-
 std::complex<double> SolvedNip::traction(double e) const {
   const auto of = [e](const Solution& solution) {
     if (e <= solution.half_length()) return solution.traction(e);
     return std::conj(solution.traction(std::max(0.0, 2 * solution.half_length() - e)));
   };
   if (!load_) return of(last());
-  const double left = half_length() - last().half_length(),
-               step = neighbour().half_length() - last().half_length();
-  return of(last()) + left / step * (of(neighbour()) - of(last()));
+  const double left = half_length() - last().half_length();
+  return of(last()) + left / to_neighbour() * (of(neighbour()) - of(last()));
 }
 
 SolvedNip::InBoth operator-(const SolvedNip::InBoth& a, const SolvedNip::InBoth& b) {
@@ -150,10 +147,14 @@ SolvedNip::InBoth operator-(const SolvedNip::InBoth& a, const SolvedNip::InBoth&
 }
 
 Estimate SolvedNip::estimate(const InBoth& number) const {
-  const auto [here, error] = last().estimate(number.here);
-  Estimate result = extrapolated(here, error, [&] { return neighbour().value(*number.there); });
-  result.error += number.shift;
-  return result;
+  const auto [here, truncation, rounding] = last().parts(number.here);
+  if (!load_) return {here, truncation + rounding + number.shift};
+  const double rise = (neighbour().value(*number.there) - here) / to_neighbour(),
+               largest_rise = std::fabs(rise) + 2 * rounding / std::fabs(to_neighbour());
+  const double value = here + rise * (half_length() - last().half_length());
+  return {value, parts_of_both() * (truncation + rounding) + largest_rise * half_length_estimate().error +
+                     curvature() * std::max(std::fabs(value), std::fabs(rise) * half_length()) +
+                     number.shift};
 }
 
 SolvedNip::InBoth SolvedNip::in_both(const Number& number) const {

@@ -18,8 +18,11 @@ namespace nipref::fast {
 /// slip grows like A^5), so that |J''|/2 is at most 15 |J|/A^2. This also holds for the length itself. A memory of rate
 /// r changes by the factor e^(-2 r A) over the contact. For a number with this factor |J''|/2 is
 /// |(p/A - 2 r)^2 - p/A^2| |J|/2, at most (5.5 + 2 |r| A)^2 |J|/(2 A^2), times e^(-2 A Re r) because the memory fades.
-/// This exceeds 15 |J|/A^2 if the memory oscillates. The error of the number is the error of its solution, plus this
-/// curvature, plus |dJ/dA| times the error of the length, which is the error of the load over dW/dA.
+/// This exceeds 15 |J|/A^2 if the memory oscillates. Besides this curvature, the errors e of J_1 and w of its load, about
+/// those of the neighbour J_0, too, as both have the same panels, make the number wrong by at most
+///     (|1 - t| + |t|) (e + |dJ/dA| w/(dW/dA)),  t = (A - A_1)/(A_0 - A_1),
+/// with the true slopes. Truncation errors are nearly equal in both contacts; those of rounding, e' and w', are not, so
+/// that the slope of a secant is wrong by up to 2 e'/|A_0 - A_1| or 2 w'/|A_0 - A_1|.
 ///
 /// Results are computed when they are asked for; what they share is kept. There is no lock: only one thread at a time may
 /// call the members of an object, const ones, too. Different objects may be used at the same time.
@@ -82,11 +85,11 @@ class SolvedNip {
   bool add_terms(const Shortfall& now, double enough);
   [[nodiscard]] Shortfall shortfall() const;
   [[nodiscard]] const Solution& neighbour() const;
-  /// A number of the contact of half_length(), from its value and its error in last() and its value in the neighbour.
-  [[nodiscard]] Estimate extrapolated(double here, double error, const std::function<double()>& there) const;
-  /// The derivative of a number with respect to the half-length, from the number in last() and in the neighbour.
-  [[nodiscard]] double growth(double here, double there) const;
+  /// How much longer the neighbour's half-length is than that of last().
+  [[nodiscard]] double to_neighbour() const;
   [[nodiscard]] double load_growth() const;
+  /// |1 - t| + |t|.
+  [[nodiscard]] double parts_of_both() const;
   /// The error that the curvature of a number may cause in a contact of given load, relative to the number.
   [[nodiscard]] double curvature() const;
 
