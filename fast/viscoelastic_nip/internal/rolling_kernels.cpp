@@ -53,11 +53,13 @@ Tractions::Kernel for_both_parts(std::vector<Complex> rates, const Kernels&... k
 
 RollingKernels::RollingKernels(const RollingSheet& sheet)
     : sheet_(sheet), fades_(fades(internal::Kernel::I1)), slowest_amplitude_(amplitude_of_I1()) {
-  // The memory of a wave e^(i z |alpha|) is the wave over rate - i z ahead of the load, over rate + i z behind it.
+  // The memory of a wave e^(i z |alpha|) is the wave over rate - i z ahead of the load, over rate + i z behind it. A real
+  // wave is half the sum of this one and its conjugate. Since |rate + conj(i z)| = |conj(rate) + i z|, the sum over both
+  // rates of a conjugate pair with i z alone bounds their memories.
   const Complex turned = Complex(0, 1) * slowest_root();
   for (const auto& [amplitude, rate] : sheet.normal.terms)
     slowest_amplitude_ += amplitude_of_I1() * std::abs(amplitude) /
-                          std::min(rate.real() - turned.real(), std::abs(rate.real() + turned));
+                          std::min(rate.real() - turned.real(), std::abs(rate + turned));
 }
 
 RollingKernels::Fades RollingKernels::fades(internal::Kernel kernel) const {

@@ -76,9 +76,8 @@ class RollingKernels {
   };
 
   const RollingSheet& sheet_;
-  Fades fades_;  ///< memories of I1
-  double
-      slowest_amplitude_;  ///< bound of the slowest residue term and, for real rates, its memories at alpha = 0
+  Fades fades_;               ///< memories of I1
+  double slowest_amplitude_;  ///< bound of the slowest residue term and its memories at alpha = 0
   // Kept from call to call without a lock: only one thread at a time may use an object or the kernels made by it. Each
   // contact has its own.
   mutable KeptRest kept_rest_{};  ///< of the last width, by ahead(false); replaced when a width does not fit
