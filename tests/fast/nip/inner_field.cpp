@@ -4,6 +4,7 @@
 #include <nipref/fast/number/internal/gauss_legendre.hpp>
 #include <nipref/fast/sheet/field.hpp>
 
+#include "support/covered.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;
@@ -65,6 +66,20 @@ TEST_CASE("stresses inside are those of line loads, and next to a face those on 
         }
       }
     }
+  }
+}
+
+TEST_CASE("the place of the greatest shear is as unsure as the shear is alike across the sheet") {
+  const auto found = [](double accuracy) {
+    return converged_for_length({100, 1, {1, -0.5}}, data::Friction::full, 40, accuracy).greatest_shear();
+  };
+  const GreatestShear truth = found(1e-12);
+  for (const double accuracy : {1e-3, 1e-9}) {
+    const GreatestShear rough = found(accuracy);
+    check_covered(rough.value, truth.value);
+    check_covered(rough.y, truth.y);
+    check_covered(rough.depth, truth.depth);
+    CHECK(rough.y.error < 1);
   }
 }
 
