@@ -178,11 +178,12 @@ std::vector<SolvedNip::InBoth> SolvedNip::at_place(const ContactPlace& place, do
       result[i].shift =
           std::max(result[i].shift, std::fabs(last().value(moved[i]) - last().value(result[i].here)));
   };
-  // Away from the end a number is smooth on the scales of e and of the memories. A shift of the place changes it about
-  // equally on either side, to within this part, and a power of e, which is at most e, more on the side of the end. The
-  // part is far less than the margins in the error of the ends (solution.hpp). Next to the end both sides count.
-  constexpr double apart = 1e-3;
-  double steepest = 1 / std::fabs(place.e);
+  // Away from the end a number J is smooth on the least scale l of e, of the memories and of the sheet's slowest
+  // residue term, |z| = 2.4. Shifts r to both sides change it equally but for r^2 |J''|, at most 8 (r/l)^2 |J| by
+  // Cauchy's bound on a circle of radius l/2. If this is less than the rounding error that counts, 16 u, one side
+  // suffices, that of the end.
+  constexpr double apart = 0x1p-26, of_sheet = 2.4;
+  double steepest = std::max(1 / std::fabs(place.e), of_sheet);
   for (const auto& rate : equations_->resolution(nats_).rates) steepest = std::max(steepest, std::abs(rate));
   const double towards_end = -std::copysign(reach, place.e);
   take_shifts(place.e + towards_end);
