@@ -315,6 +315,8 @@ Estimate ConvergedNip::tangential_displacement(double y) const {
 }
 
 Estimate ConvergedNip::surface_strain(double y) const {
+  // Without friction the strain beside an end is a smooth function less a multiple of the pressure, which rises with the
+  // distance from the end, so that shifts of the place to both sides show its error (SolvedNip::at_place).
   if (!nip_->equations().sticks())
     return times(nip_->units.creep, nip_->solved.estimate(nip_->along_surface(y)[1]));
   const ContactPlace place = nip_->place_of(y);
