@@ -58,6 +58,8 @@ class Elements {
 
   /// Changes signs until none violates its condition, from `signs` and, if no creep is given, from `creep`.
   void settle(const std::vector<int>& signs, double creep) {
+    least_creep_ = sliding(-1).minCoeff();
+    most_creep_ = sliding(1).maxCoeff();
     for (std::size_t i = 0; i < signs_.size(); ++i) signs_[i] = signs[i * signs.size() / signs_.size()];
     creep_ = task_.creep ? *task_.creep : creep;
     is_settled_ = task_.creep ? settles_anyhow() : settles_for_traction();
@@ -184,23 +186,28 @@ class Elements {
     if (settles()) return true;
     constexpr int most_steps = 20;
     const double wanted = creep_;
-    for (const int sliding : {-1, 1}) {
-      std::ranges::fill(signs_, sliding);
-      creep_ = sliding * most_creep();
+    for (const int sign : {-1, 1}) {
+      std::ranges::fill(signs_, sign);
+      creep_ = sign < 0 ? least_creep_ : most_creep_;
       for (int step = 0; step < most_steps && settles_towards(wanted); ++step)
         if (creep_ == wanted) return true;
     }
     return false;
   }
-  /// A creep at which all elements slip one way.
-  [[nodiscard]] double most_creep() const { return 8 * (1 + task_.friction) * length_; }
+  /// The strains if all elements slip one way. They do so at creeps beyond all of these.
+  const VectorXd& sliding(int sign) {
+    std::ranges::fill(signs_, sign);
+    creep_ = 0;
+    solve();
+    return slip_;
+  }
 
   /// Newton's method in a bracket for the creep of the given traction. The traction grows with the creep, from sliding
   /// one way to sliding the other, linearly as long as the signs stay. Elements may have several states at one creep
   /// and none with this traction; the nearest state is the result.
   bool settles_for_traction() {
     if (!settles_anyhow()) return false;
-    double most = most_creep(), least = -most;
+    double least = least_creep_, most = most_creep_;
     constexpr double tolerance = 1e-6;
     constexpr int most_steps = 40;
     std::vector<int> signs;
@@ -265,6 +272,7 @@ class Elements {
   const PartialSlipTask& task_;
   int count_;
   double length_, creep_ = 0;
+  double least_creep_ = 0, most_creep_ = 0;  ///< beyond them all elements slip one way
   VectorXd weights_, edges_;
   MatrixXd pressure_by_shear_, strain_by_shear_;
   VectorXd pressure_without_, strain_without_;

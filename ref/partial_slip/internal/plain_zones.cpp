@@ -17,7 +17,7 @@ constexpr int elements = 120;
 class PlainContact {
  public:
   PlainContact(const SlipProblem& problem, SheetKernels& kernels, double length)
-      : problem_(problem), element_(length / elements), most_creep_(8 * (1 + problem.friction) * length) {
+      : problem_(problem), element_(length / elements) {
     for (int way = 0; way <= elements; ++way) {
       // U, V and S from the middle of an element to an edge, way + 1/2 elements away.
       const Float alpha = (way + 0.5) * element_, normal = kernels.smooth_normal_slope(alpha) - 1 / alpha;
@@ -40,6 +40,8 @@ class PlainContact {
 
   /// Changes signs until no element violates its condition, or no change helps.
   void settle() {
+    least_creep_ = sliding(-1).minCoeff();
+    most_creep_ = sliding(1).maxCoeff();
     if (problem_.creep)
       slides_to(static_cast<double>(*problem_.creep));
     else if (slides_to(0))
@@ -81,12 +83,20 @@ class PlainContact {
     return false;
   }
 
-  /// Settles at `creep`, in steps from so much creep that all elements slip one way.
+  /// The strains if all elements slip one way. They do so at creeps beyond all of these.
+  const Eigen::VectorXd& sliding(int sign) {
+    std::ranges::fill(signs_, sign);
+    creep_ = 0;
+    solve();
+    return slip_;
+  }
+
+  /// Settles at `creep`, in steps from a creep at which all elements slip one way.
   bool slides_to(double creep) {
     constexpr int most_steps = 20;
-    for (const int sliding : {-1, 1}) {
-      std::ranges::fill(signs_, sliding);
-      creep_ = sliding * most_creep_;
+    for (const int sign : {-1, 1}) {
+      std::ranges::fill(signs_, sign);
+      creep_ = sign < 0 ? least_creep_ : most_creep_;
       for (int step = 0; step < most_steps && settles_towards(creep); ++step)
         if (creep_ == creep) return true;
     }
@@ -101,7 +111,7 @@ class PlainContact {
     constexpr double tolerance = 1e-10;
     const double share = problem_.length ? 0 : static_cast<double>(problem_.shear / problem_.load),
                  wanted = problem_.length ? static_cast<double>(problem_.shear) : 0;
-    double least = -most_creep_, most = most_creep_, nearest = HUGE_VAL, creep = 0;
+    double least = least_creep_, most = most_creep_, nearest = HUGE_VAL, creep = 0;
     Row<int> signs;
     for (int step = 0; step < most_steps; ++step) {
       const Eigen::VectorXd missing = share * pressure_ - shear_,
@@ -161,7 +171,8 @@ class PlainContact {
   }
 
   const SlipProblem& problem_;
-  double element_, most_creep_, creep_ = 0;
+  double element_, creep_ = 0;
+  double least_creep_ = 0, most_creep_ = 0;  ///< beyond them all elements slip one way
   /// Both equations at the edges of elements, as rows for the tractions and L1.
   Eigen::MatrixXd normal_ = Eigen::MatrixXd::Zero(elements + 1, unknowns), tangential_ = normal_;
   Row<int> signs_ = Row<int>(GridIndex{elements});
