@@ -25,8 +25,9 @@ struct PartialSlipLineLoads : LineLoadNip {
 };
 
 /// The contact that carries `load` per unit width, as for partial_slip_for_load, with 1 to 1000 elements a side, whose
-/// width is about half the contact length without friction over their number. BadInput otherwise, and in the rare cases
-/// in which no loads are found that meet all conditions; another number of elements may help.
+/// width is about half the contact length without friction over their number. BadInput otherwise, if friction moves
+/// an end of the contact to more than 1.3 times half that length from the line through the rollers' centres, and in the
+/// rare cases in which no loads are found that meet all conditions; another number of elements may help.
 PartialSlipLineLoads line_loads_for_load(const data::PartialSlipNip& nip, int elements_per_side, double load);
 
 }  // namespace nipref::fast

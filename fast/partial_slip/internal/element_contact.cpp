@@ -47,6 +47,7 @@ class ActiveSet {
       elements_[static_cast<std::size_t>(k)] = {(k + 0.5) * width_ - half_region, true, 0, 0, 0};
   }
 
+  /// A contact up to the outermost elements would go on beyond them.
   ElementContact solved() {
     constexpr int changes_of_all = 20, most_changes = 60;
     bool settled = false;
@@ -54,6 +55,7 @@ class ActiveSet {
       solve();
       settled = !changed(change < changes_of_all) && std::isfinite(creep_);
     }
+    settled = settled && !elements_.front().presses && !elements_.back().presses;
     return {elements_, width_, creep_, solution_(unknowns_ - 2), settled};
   }
 

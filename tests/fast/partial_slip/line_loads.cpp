@@ -110,3 +110,14 @@ TEST_CASE("line loads with Coulomb's friction refuse what is outside their domai
   CHECK(contains(refusal_of(solve(1001, 0)), "elements_per_side = 1001"));
   CHECK(contains(refusal_of(solve(10, 10)), "force_per_length = 10: must be less"));
 }
+
+TEST_CASE("line loads refuse a contact that friction moves beyond their elements") {
+  const data::PartialSlipNip nip{{50, 2, {152, 0.49}}, 1, data::GivenTraction{4}};
+  const double load = 4.45,
+               half = fast::partial_slip_for_load({nip, 1e-3, data::GivenTraction{0}}, load, 1e-4)
+                          .leading_length()
+                          .value;
+  CHECK(fast::partial_slip_for_load(nip, load, 1e-4).leading_length().value > 1.3 * half);
+  CHECK(contains(refusal_of([&] { return fast::line_loads_for_load(nip, 20, load).load(); }),
+                 "elements_per_side = 20"));
+}
