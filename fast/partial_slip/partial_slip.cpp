@@ -26,7 +26,7 @@ using Peak = ZoneContact::Peak;
 constexpr double longest_contact = 10;  // L/B
 /// ln of the first discretisation's error over the second's.
 constexpr double nats_apart = 3;
-/// Rounding dominates from here on.
+/// Rounding dominates from here on: e^-36.7 is 2^-53.
 constexpr double most_nats = 36;
 
 Peak largest(const std::vector<Peak>& peaks) { return std::ranges::max(peaks, {}, &Peak::size); }
@@ -90,9 +90,16 @@ struct PartialSlipNip::Implementation : Solutions {
   [[nodiscard]] Estimate of_displacement(const auto& number) const {
     return estimate(number, units.displacement, std::pow(length(), 2));
   }
+  /// The size of strains, which grow with the load and friction in long contacts.
+  [[nodiscard]] double strains() const {
+    double largest = length();
+    for (const ZoneContact::Sample& sample : second.samples())
+      largest = std::max(largest, std::fabs(sample.slip + second.creep()));
+    return largest;
+  }
   /// A strain. Almost full slip makes the creep sensitive to the rounding of load and traction.
   [[nodiscard]] Estimate of_strain(const auto& number) const {
-    Estimate strain = estimate(number, units.creep, length());
+    Estimate strain = estimate(number, units.creep, strains());
     strain.error += units.creep * rounding_of_creep();
     return strain;
   }
@@ -125,7 +132,8 @@ struct PartialSlipNip::Implementation : Solutions {
       return {difference.pressure + wrong.pressure, difference.shear + wrong.shear};
     }
   };
-  /// The largest errors at the samples next to e, because the error at one sample may be 0 by chance.
+  /// The largest errors at the samples next to e, because the error at one sample may be 0 by chance. What oscillates
+  /// with the nodes of both meshes has beats of nats/nats_apart samples, of which 8 on each side hold at least one.
   [[nodiscard]] LocalError error_near(double e) const {
     constexpr long beside = 8;
     if (!(e >= 0 && e <= length())) return {};
@@ -242,8 +250,9 @@ Estimate PartialSlipNip::rolling_resistance() const {
 }
 
 Estimate PartialSlipNip::dissipation() const {
-  Estimate lost = nip_->estimate(&ZoneContact::dissipation, nip_->units.load * nip_->units.creep,
-                                 nip_->task.friction * nip_->second.load() * nip_->length());
+  Estimate lost = nip_->estimate(
+      &ZoneContact::dissipation, nip_->units.load * nip_->units.creep,
+      nip_->task.friction * nip_->second.load() * std::max(nip_->strains(), std::fabs(nip_->second.creep())));
   // The work of the rollers is equal to the dissipation and is computed in another way.
   const double put_in = nip_->second.creep() * nip_->second.tangential_load() + 2 * nip_->second.moment();
   const double of_creep = std::fabs(nip_->second.tangential_load()) * nip_->rounding_of_creep();
@@ -311,7 +320,7 @@ Estimate PartialSlipNip::tangential_displacement(double y) const {
   const auto relative = [](const ZoneContact& contact, double e) {
     return contact.displacement(contact.leading_length()).along - contact.displacement(e).along;
   };
-  const double scale = nip_->length() * std::max(nip_->length(), std::fabs(y / nip_->units.length));
+  const double scale = nip_->strains() * std::max(nip_->length(), std::fabs(y / nip_->units.length));
   Estimate displacement = nip_->estimate(nip_->at(y, relative), nip_->units.displacement, scale);
   displacement.error += nip_->units.displacement * nip_->length() * nip_->rounding_of_creep();
   for (const double place : {nip_->place(0), nip_->place(y)})

@@ -16,12 +16,12 @@ namespace nipref::fast {
 /// value, unit of length; otherwise BadInput. Shears act on the sheet along Y.
 ///
 /// Error estimates. The contact is solved by three discretisations (internal/zone_mesh.hpp), each with an error that
-/// is at most e^-2.4 of that of the one before. A number J is that of the last. Its error is |J_3 - J_2| plus, because
-/// these may agree by chance, the largest difference of such numbers between the last and the second, or between the
-/// last and the first times e^-2.4: the relative difference of the contact's length, place, load, traction or creep,
-/// times the size of numbers like J (the error of the whole); for tractions the difference from the second at the 16
-/// samples next to Y and the effect of such an error of Y; for boundaries where slip turns into stick, which are the
-/// least accurate ones, their difference over the longer of their zones. Terms of second order in the differences of
+/// is at most e^-2 of that of the one before. A number J is that of the last. Its error is |J_3 - J_2| and, because
+/// these may agree by chance, the error of the whole, times the size of numbers like J. This is the relative difference
+/// of the contact's length, place, load, traction or creep: the largest between the last and the second, or between the
+/// last and the first as much smaller as the second's error is. For tractions the difference of both at the 16 samples
+/// next to Y is added, and the effect of such an error of Y; for boundaries where slip turns into stick, which are the
+/// least accurate ones, such a difference over the longer of their zones. Terms of second order in the differences of
 /// boundaries and the rounding of sums and places are added. Zones that are too short to be found are left out. The
 /// mean violation of the conditions of stick and slip, relative, adds to the error of the whole. Where a zone is known
 /// to be missing, the contact may be any other: twice the share of this part, times mu if mu > 1, adds to the error of

@@ -22,7 +22,8 @@ double rough_nats(double friction);
 /// How much each sample of a contact violates its condition, 0 if not at all. In zones of stick: the shear beyond
 /// friction over friction, up to the next sample. In zones of slip: slip along the shear over the largest slip.
 std::vector<double> excesses(const ZoneContact& contact, double friction);
-/// The excess that a contact of accuracy e^-nats may have although its zones are right.
+/// The excess that a contact of accuracy e^-nats may have although its zones are right: at the midpoints next to an end
+/// tractions are like t^(1/2) = e^(-nats/2), with errors like e^-nats.
 inline double left_by_accuracy(double nats) { return std::exp(-nats / 2); }
 /// The mean of the excesses over the contact.
 double mean_excess(const ZoneContact& contact, double friction);

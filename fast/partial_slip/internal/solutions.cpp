@@ -116,12 +116,14 @@ std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneConta
   double of_whole = relative_difference(*first, second, mu),
          of_boundaries = boundary_difference(*first, second);
   // By chance the first may agree with the second. A rougher contact shows the error of the first, too, because errors
-  // fall like e^(-2 nats/3) or faster, see ZoneMesh::boundary().
+  // fall like e^(-2 nats/3) or faster, those of smooth boundaries up to most_smooth_nats; see ZoneMesh::boundary().
   constexpr double rougher_by = 3;
-  if (const auto rougher = solved(nats - rougher_by)) {
-    const double fall = std::exp(-2.0 / 3 * rougher_by);
-    of_whole = std::max(of_whole, fall * relative_difference(*rougher, second, mu));
-    of_boundaries = std::max(of_boundaries, fall * boundary_difference(*rougher, second));
+  const double smooth_nats = std::min(nats, ZoneMesh::most_smooth_nats),
+               rougher_nats = smooth_nats - rougher_by;
+  if (const auto rougher = solved(rougher_nats)) {
+    const auto fall_to = [&](double finer) { return std::exp(-2.0 / 3 * (finer - rougher_nats)); };
+    of_whole = std::max(of_whole, fall_to(nats) * relative_difference(*rougher, second, mu));
+    of_boundaries = std::max(of_boundaries, fall_to(smooth_nats) * boundary_difference(*rougher, second));
   }
   std::vector<ZoneContact::Traction> of_tractions;
   for (const ZoneContact::Sample& sample : second.samples()) {
@@ -132,6 +134,8 @@ std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneConta
   const std::vector<double> excess = excesses(second, mu);
   const std::vector<bool> is_left_out = left_out(second, excess, nats);
   std::vector<bool> lacks_zones(second.zones().size());
+  // In such a part the load may be wrong by all of it, the traction by friction both ways, which is twice as much over
+  // friction, and the creep over the length by about the coefficient of friction times the load's share.
   double part_left_out = 0;
   for (std::size_t i = 0; i < excess.size(); ++i) {
     if (!is_left_out[i]) continue;

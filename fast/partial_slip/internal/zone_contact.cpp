@@ -16,7 +16,7 @@ namespace {
 using Eigen::ArrayXd, Eigen::Index;
 using std::numbers::pi;
 
-/// |s| beyond which weights are less than e^-36 of a panel.
+/// |s| beyond which weights are less than e^-36 of a panel, about 2^-52.
 constexpr double far = 36;
 
 }  // namespace
@@ -142,12 +142,19 @@ double ZoneContact::strain(double e) const {
   }
   const ZoneMesh::Point point = mesh().point_at(e);
   if (mesh().sign(point) == 0) return creep();
-  for_nodes_beyond(point.panel, e, add);
-  // The nodes are placed such that the place lies midway between two of them.
+  for (std::size_t j = 0; j < mesh().nodes().size(); ++j) {
+    const ZoneMesh::Point& node = mesh().nodes()[j];
+    const auto of = static_cast<Index>(j);
+    if (node.panel != point.panel)
+      add(mesh().distance(point, node), {forces_.normal(of), forces_.tangential(of)});
+  }
+  // The nodes are placed such that the place lies midway between two of them. At the place's distance e^-|s| from an
+  // end of the panel, forces count that are as small in proportion.
+  const double farthest = far + std::fabs(point.s);
   for (const int side : {-1, 1}) {
-    for (int j = 0; j * mesh().step() < 2 * far; ++j) {
-      const ZoneMesh::Point node{point.panel, point.s + side * (j + 0.5) * mesh().step()};
-      if (std::fabs(node.s) < far) add(mesh().distance(point, node), mesh().weight(node) * traction_at(node));
+    for (double s = point.s + side * mesh().step() / 2; std::fabs(s) < farthest; s += side * mesh().step()) {
+      const ZoneMesh::Point node{point.panel, s};
+      add(mesh().distance(point, node), mesh().weight(node) * traction_at(node));
     }
   }
   return strain - equations_->task().beta * traction_at(point).pressure;

@@ -18,8 +18,8 @@ class ZoneContact {
   static std::optional<ZoneContact> solved(const PartialSlipTask& task, const ZoneContact& near, double nats);
 
   /// Whether the zones are those of another discretisation: they have the same order, and no length differs by more
-  /// than half or the accuracy of the coarser one. The discretised equations also have solutions in which a zone of
-  /// stick between opposite slips shrinks with the mesh.
+  /// than half of it or than e^(-nats/2) of the longest zone beside. The discretised equations also have solutions in
+  /// which a zone of stick between opposite slips shrinks with the mesh.
   [[nodiscard]] bool is_like(const ZoneContact& other) const;
 
   [[nodiscard]] const Zones& zones() const { return equations_->zones(); }

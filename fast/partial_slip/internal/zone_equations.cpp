@@ -169,7 +169,8 @@ Eigen::VectorXd ZoneEquations::residual() const {
 }
 
 Eigen::VectorXd ZoneEquations::rounding() const {
-  constexpr double operations = 12, largest_rest = 0.25;  // largest_rest: of S far away
+  // Each rounding has a variance of up to 2^-106/3. The largest rest is that of S far away.
+  constexpr double roundings = 96, largest_rest = 0.25;
   const Forces forces = this->forces();
   const Eigen::VectorXd normal = forces.normal.abs(), tangential = forces.tangential.abs();
   const auto tractions = unknowns_.head(mesh_.unknowns());
@@ -188,7 +189,7 @@ Eigen::VectorXd ZoneEquations::rounding() const {
     by_equations.col(z) *= zones_[static_cast<std::size_t>(z)].length;
     if (z > 0) by_equations.col(z) += by_equations.col(z - 1);
   }
-  return operations * 0x1p-53 * (by_equations.cwiseAbs().transpose() * sizes);
+  return 3 * std::sqrt(roundings / 3) * 0x1p-53 * (by_equations.cwiseAbs().transpose() * sizes);
 }
 
 Eigen::MatrixXd ZoneEquations::jacobian() const {
@@ -296,6 +297,7 @@ bool ZoneEquations::converges(Elimination& derivatives) {
       if (size < short_step || size_of(derivatives.solve(remains)) < (1 - part / 4) * size) break;
       if (part < least_part) return false;
     }
+    // Steps by the same derivatives shrink to about the part short_step: the next one would be less than rounding.
     if (size < 1e-11) return true;
     last_step = size;
   }

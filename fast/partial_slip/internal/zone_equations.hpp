@@ -44,10 +44,11 @@ class ZoneEquations {
   };
   [[nodiscard]] Misfits misfits() const;
   /// The rounding errors of the zones' ends, as distances from the leading end, and then of the creep: |E J^-1| times
-  /// the sizes of the equations' terms, among them load and traction, times 2^-53 for each operation in a term: four for
-  /// a weight, two for a traction, five for a kernel, and their product. J, the derivatives with respect to all unknowns
-  /// and the logarithms of the zones' lengths, is that of Newton's last steps. E has the derivatives of the ends and of
-  /// the creep with respect to all these.
+  /// the sizes of the equations' terms, among them load and traction, times three standard deviations of a term's 96
+  /// roundings by up to 2^-53: 8 in a weight, 12 in a traction, 15 in a kernel, 1 in their product, 49 for the
+  /// exponentials of s, whose errors count about sevenfold in differences of next nodes, and 11 for the sum of terms.
+  /// J, the derivatives with respect to all unknowns and the logarithms of the zones' lengths, is that of Newton's last
+  /// steps. E has the derivatives of the ends and of the creep with respect to all these.
   [[nodiscard]] Eigen::VectorXd rounding() const;
   [[nodiscard]] Eigen::ArrayXd places(const auto& points) const {
     return Eigen::ArrayXd::NullaryExpr(static_cast<Index>(points.size()), [&](Index i) {

@@ -123,8 +123,9 @@ ZoneMesh::PanelEnd ZoneMesh::boundary(const Panel& own, const Panel& other, bool
     end.pressure = traction_end({1, power, power + 1, 2}, end.reach);
     end.has_extra_equation = own.sign == 0 && !sticks_then_slips;
   }
-  // Forces beyond `depth`, like t^(1 + least power), act on the last unknown from the distance e^-reach. The last node
-  // stands for those of the boundary's value with an error like t^2. Both may shift a boundary by e^-nats, as above.
+  // At the last unknown, t_0 = e^-reach, a shift of the boundary by e^-nats changes tractions by e^-nats t_0^(1/2). So
+  // do forces beyond `depth`, t^(1 + least power), by Cauchy's kernel 1/t_0, and those of the boundary's value, for
+  // which the last node stands with a first moment that is wrong by t^2, by the derivative 1/t_0^2.
   end.depth =
       std::max((nats_ + 1.5 * end.reach) / (1 + end.pressure.least_power), nats_ / 2 + 1.25 * end.reach);
   end.next_length = std::min(1.0, other.length / own.length);

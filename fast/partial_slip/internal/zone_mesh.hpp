@@ -38,6 +38,9 @@ class ZoneMesh {
  public:
   /// The largest |s|, at e^-72 of a panel from its end.
   static constexpr double farthest = 72;
+  /// Nodes get no nearer to a boundary where slip turns into stick than with so many nats. About there the rounding of
+  /// the equations moves the boundary as far as the truncated powers do, and nearer nodes would let it move it farther.
+  static constexpr double most_smooth_nats = 26;
 
   /// s may be infinite: at the panel's end itself.
   struct Point {
@@ -139,9 +142,7 @@ class ZoneMesh {
                                   const PartialSlipTask& task) const;
   /// A traction with these powers of t, whose last node with an unknown is at |s| = reach.
   [[nodiscard]] TractionEnd traction_end(const Tail::Powers& powers, double reach) const;
-  /// In nodes nearer to a boundary where slip turns into stick than those for so many nats rounding errors would hide
-  /// the power of t that determines its place.
-  [[nodiscard]] double smooth_nats() const { return std::min(nats_, 26.0); }
+  [[nodiscard]] double smooth_nats() const { return std::min(nats_, most_smooth_nats); }
   void number_unknowns();
   void add_points(const Panel& panel, int index);
   /// A product of powers of t at both ends, t over the panel's length; where t is larger than the next panel, of 1.

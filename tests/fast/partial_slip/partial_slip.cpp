@@ -270,6 +270,16 @@ TEST_CASE(
   CHECK(!fast::slipping_zones({.beta = 0.3, .friction = 0.3, .load = 0.1, .traction = 0.0}, 60));
 }
 
+TEST_CASE("few elements tell the zones of a long contact, whose creep is many times its length") {
+  const double load = fast::load_guess(9.8);
+  const fast::PartialSlipTask task{.beta = 0.7, .friction = 1, .load = load, .traction = 0.5 * load};
+  const fast::ZoneContact contact = fast::find_zones(task, 20).value();
+  const fast::Zones guess = fast::plain_zones(task, 120).value();
+  CHECK(contact.creep() > 16 * contact.length());
+  CHECK(guess.back().length / fast::length_of(guess) ==
+        approx(contact.zones().back().length / contact.length(), 0.02));
+}
+
 TEST_CASE(
     "profiles meet the roller, stick and slip, and stated errors cover a contact solved to more digits") {
   const data::PartialSlipNip nip = unit_nip(0.3, 0.2, GivenTraction{-0.1});
@@ -308,6 +318,17 @@ TEST_CASE(
     covered(rough.zone_boundaries()[k], fine.zone_boundaries()[k]);
   CHECK(fine.dissipation().value ==
         approx(-fine.traction().value * creep + fine.load().value * fine.rolling_resistance().value, 1e-8));
+}
+
+TEST_CASE("slip falls like a power of the distance from the boundary behind which it begins") {
+  const auto nip = fast::partial_slip_for_load(unit_nip(0.3, 0.2, GivenTraction{-0.1}), 1, 1e-11);
+  REQUIRE(nip.zone_signs()[2] != 0);
+  const auto slip_at = [&](double distance) {
+    return nip.slip(nip.zone_boundaries()[2].value - distance * nip.contact_length().value);
+  };
+  const fast::Estimate near = slip_at(1e-9), farther = slip_at(1e-8), far = slip_at(1e-7);
+  const double expected = farther.value * farther.value / far.value;
+  CHECK(std::fabs(near.value - expected) <= near.error + farther.error);
 }
 
 TEST_CASE("no traction is larger than the peak, and the two humps of a shear are told apart") {
