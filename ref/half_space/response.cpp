@@ -31,28 +31,34 @@ Components components(const IntervalMatrix& y, const SurfaceDirection::Cosines& 
   return result;
 }
 
-/// G = t^-1 (M + i r^T) in the axes of the line.
-Decay decay_of(const AcousticMatrices& matrices, const IntervalMatrix& impedance,
-               const SurfaceDirection::Cosines& n) {
+/// Whether every interval has an error of at most 10^-digits of `size`.
+bool are_narrow(const Components& intervals, const Interval& size, int digits) {
+  Interval width(64);
+  for (const Interval& each : intervals) width = larger_of(width, magnitude_of(each - each));
+  return sign_of(exp(-(digits * log(Interval(10L, 64)))) * size - width) > 0;
+}
+
+/// G = t^-1 (M + i r^T) in the axes of the line. Nothing if the error of an entry is above 10^-digits of the largest.
+std::optional<Decay> decay_of(const AcousticMatrices& matrices, const IntervalMatrix& impedance,
+                              const SurfaceDirection::Cosines& n, int digits) {
   const Interval zero(0L, impedance.precision()), one(1L, impedance.precision());
   const std::array<Interval, 9> entries{n.cosine, n.sine, zero, -n.sine, n.cosine, zero, zero, zero, one};
   const auto axes = IntervalMatrix::real([&](std::size_t i, std::size_t k) { return entries[3 * i + k]; });
   const IntervalMatrix found =
       axes * (hermitian_inverse(matrices.t) * (impedance + times_i(matrices.r.adjoint()))) * axes.adjoint();
   Decay decay;
+  Components parts;
+  Interval largest(64);
   for (std::size_t k = 0; k < 9; ++k) {
-    decay.re[k] = middle_of(found(k / 3, k % 3).re);
-    decay.im[k] = middle_of(found(k / 3, k % 3).im);
+    const ComplexInterval& entry = found(k / 3, k % 3);
+    decay.re[k] = middle_of(entry.re);
+    decay.im[k] = middle_of(entry.im);
+    for (const Interval& part : {entry.re, entry.im}) {
+      parts.push_back(part);
+      largest = larger_of(largest, abs(part));
+    }
   }
-  return decay;
-}
-
-/// Whether every component has an error of at most 10^-digits of the largest diagonal component.
-bool are_narrow(const Components& components, int digits) {
-  Interval width(64), largest(64);
-  for (const Interval& component : components) width = larger_of(width, magnitude_of(component - component));
-  for (const std::size_t diagonal : {0UL, 5UL, 6UL}) largest = larger_of(largest, abs(components[diagonal]));
-  return sign_of(exp(-(digits * log(Interval(10L, 64)))) * largest - width) > 0;
+  return are_narrow(parts, largest, digits) ? std::optional(decay) : std::nullopt;
 }
 
 }  // namespace
@@ -70,8 +76,10 @@ LineResponse line_response(const ExactStiffness& solid, const Exact& speed, cons
       if (!impedance) continue;
       const auto n = psi.at(precision);
       found = components(hermitian_inverse(*impedance), n, Interval(solid.voigt[2][2], precision));
-      if (!are_narrow(*found, digits)) continue;
-      if (with_decay) decay = decay_of(matrices, *impedance, n);
+      Interval diagonal(64);
+      for (const std::size_t k : {0UL, 5UL, 6UL}) diagonal = larger_of(diagonal, abs((*found)[k]));
+      if (!are_narrow(*found, diagonal, digits)) continue;
+      if (with_decay && !(decay = decay_of(matrices, *impedance, n, digits))) continue;
       return found->front();
     }
     throw data::BadInput("speed", speed.text(),

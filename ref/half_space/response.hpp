@@ -32,7 +32,7 @@ struct LineResponse {
   Enclosure coupling, coupling_across;
   Enclosure shear_compliance, shear_compliance_across;
   Enclosure in_line, across;
-  std::optional<Decay> decay = {};  ///< if asked for; error estimate: 10^-digits of its norm
+  std::optional<Decay> decay = {};  ///< if asked for; proven error of a part: 10^-digits of the largest
 };
 
 /// The response along lines of the direction `psi` to loads that move at `speed`, unit sqrt(modulus/density), in the
