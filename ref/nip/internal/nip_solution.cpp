@@ -214,9 +214,11 @@ std::unique_ptr<NipSolution> ElasticSheet::solved(const Float& half_length, std:
 namespace {
 
 constexpr int most_unknowns = 1400;
-/// Digits of kernels and integrals beyond those of the results. `least` in estimate() is 10^6 times the errors of the
-/// kernels, which both solutions have in common, and 10^4 times those of the integrals.
-constexpr int kernel_guard = 8, quadrature_guard = 6;
+/// Digits of kernels and integrals beyond those of the results in the finer solution, and how many fewer the coarser
+/// one has. A node of a kernel's interpolation is worth 1.45 digits, one of an integral's rule 1.09. So the errors of
+/// the coarser solution's are larger, and the difference of both solutions contains what they do to a result, however
+/// much the contact amplifies it: ref/README.md, Lemma 14.
+constexpr int kernel_guard = 8, quadrature_guard = 6, fewer_of_kernels = 2, fewer_of_quadrature = 1;
 constexpr int search_digits = 10;
 
 double first_nats(int digits) { return digits * std::numbers::ln10 + 2; }
@@ -246,11 +248,12 @@ int checked_unknowns(const NipSheet& sheet, const std::vector<TractionPanel>& pa
 SolvedNip::SolvedNip(Sheet sheet, int digits)
     : sheet_(std::move(sheet)),
       digits_(digits),
-      kernels_(std::make_unique<SheetKernels>(digits + kernel_guard)) {}
+      kernels_(std::make_unique<SheetKernels>(digits + kernel_guard)),
+      coarse_kernels_(std::make_unique<SheetKernels>(digits + kernel_guard - fewer_of_kernels)) {}
 
 SolvedNip SolvedNip::of_half_length(const Sheet& sheet, const Float& half_length, int digits) {
   SolvedNip nip(sheet, digits);
-  nip.solve([&](const Fineness& fineness) { return nip.solution(half_length, fineness); });
+  nip.solve([&](bool fine, double nats) { return nip.solution(half_length, fine, nats); });
   return nip;
 }
 
@@ -263,7 +266,7 @@ SolvedNip SolvedNip::of_load(const Sheet& sheet, const Float& load, double guess
     search.seek(search_digits, [&](const Lengths& at) {
       check(static_cast<double>(at.length));
       first_unknowns(*sheet, at.length, digits);
-      return few.solution(at.length, fineness_of(false, first_nats(search_digits)));
+      return few.solution(at.length, false, first_nats(search_digits));
     });
   }
   check(static_cast<double>(search.length));
@@ -272,14 +275,14 @@ SolvedNip SolvedNip::of_load(const Sheet& sheet, const Float& load, double guess
   // W rises at most like A^5, in a thin incompressible sheet with full friction, and the other results more slowly. So
   // this error of the length changes them by less than `least` in estimate().
   const Float enough = pow(Float(10), -digits) / 1000;
-  const auto solve_at = [&](const Fineness& fineness) {
+  const auto solve_at = [&](bool fine, double nats) {
     std::unique_ptr<NipSolution> here;
     search.seek(digits + 3, [&](const Lengths& at) {
-      here = nip.solution(at.length, fineness);
+      here = nip.solution(at.length, fine, nats);
       return here.get();
     });
     const bool is_there = abs(search.length - here->half_length()) <= enough * search.length;
-    return is_there ? std::move(here) : nip.solution(search.length, fineness);
+    return is_there ? std::move(here) : nip.solution(search.length, fine, nats);
   };
   nip.solve(solve_at);
   return nip;
@@ -292,6 +295,11 @@ int SolvedNip::first_unknowns(const NipSheet& sheet, const Float& half_length, i
 
 int SolvedNip::unknowns() const { return checked_unknowns(*sheet_, fine_->panels(), digits_); }
 
+KernelValues SolvedNip::kernel_values() const {
+  const KernelValues a = kernels_->values(), b = coarse_kernels_->values();
+  return {a.normal + b.normal, a.coupling + b.coupling, a.stretch + b.stretch};
+}
+
 Float SolvedNip::kernel_share() { return pow(Float(10), 2 - kernel_guard); }
 
 data::WithError<Float> SolvedNip::estimate(const Functional& functional, const Float& scale) const {
@@ -302,19 +310,20 @@ data::WithError<Float> SolvedNip::estimate(const Functional& functional, const F
   return {std::move(value), std::move(error)};
 }
 
-std::unique_ptr<NipSolution> SolvedNip::solution(const Float& half_length, const Fineness& fineness) const {
-  auto panels = panels_of(half_length, sheet_->resolution(), fineness);
+std::unique_ptr<NipSolution> SolvedNip::solution(const Float& half_length, bool fine, double nats) const {
+  auto panels = panels_of(half_length, sheet_->resolution(), fineness_of(fine, nats));
   checked_unknowns(*sheet_, panels, digits_);
-  return sheet_->solved(half_length, std::move(panels), (digits_ + quadrature_guard) * std::numbers::ln10,
-                        *kernels_);
+  const int of_quadrature = digits_ + quadrature_guard - (fine ? 0 : fewer_of_quadrature);
+  return sheet_->solved(half_length, std::move(panels), of_quadrature * std::numbers::ln10,
+                        fine ? *kernels_ : *coarse_kernels_);
 }
 
-void SolvedNip::solve(const std::function<std::unique_ptr<NipSolution>(const Fineness&)>& solve_at) {
+void SolvedNip::solve(const std::function<std::unique_ptr<NipSolution>(bool, double)>& solve_at) {
   // Three times the largest difference, and `least`, are then below 10^-digits of the scale in estimate().
   const Float enough = pow(Float(10), -digits_) / 4;
   for (double nats = first_nats(digits_);; nats *= 1.25) {
-    fine_ = solve_at(fineness_of(true, nats));
-    coarse_ = solve_at(fineness_of(false, nats));
+    fine_ = solve_at(true, nats);
+    coarse_ = solve_at(false, nats);
     measure();
     if (difference_ <= enough) return;
   }

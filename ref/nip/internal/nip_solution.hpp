@@ -142,7 +142,7 @@ class SolvedNip {
 
   [[nodiscard]] const NipSolution& fine() const { return *fine_; }
   [[nodiscard]] const NipSolution& coarse() const { return *coarse_; }
-  [[nodiscard]] SheetKernels& kernels() const { return *kernels_; }
+  [[nodiscard]] KernelValues kernel_values() const;  ///< of both solutions, so far
   [[nodiscard]] const Float& difference() const { return difference_; }
   [[nodiscard]] int unknowns() const;  ///< of the finer solution
   [[nodiscard]] data::WithError<Float> estimate(const Functional& functional, const Float& scale) const;
@@ -150,15 +150,14 @@ class SolvedNip {
  private:
   SolvedNip(Sheet sheet, int digits);
 
-  [[nodiscard]] std::unique_ptr<NipSolution> solution(const Float& half_length,
-                                                      const Fineness& fineness) const;
-  /// Refines the two solutions that solve_at(fineness) returns until they agree.
-  void solve(const std::function<std::unique_ptr<NipSolution>(const Fineness&)>& solve_at);
+  [[nodiscard]] std::unique_ptr<NipSolution> solution(const Float& half_length, bool fine, double nats) const;
+  /// Refines the two solutions that solve_at(fine, nats) returns until they agree.
+  void solve(const std::function<std::unique_ptr<NipSolution>(bool fine, double nats)>& solve_at);
   void measure();
 
   Sheet sheet_;
   int digits_;
-  std::unique_ptr<SheetKernels> kernels_;
+  std::unique_ptr<SheetKernels> kernels_, coarse_kernels_;
   std::unique_ptr<NipSolution> coarse_, fine_;
   Float difference_ = 0;
 };
