@@ -110,8 +110,7 @@ struct PartialSlipNip::Parts {
 
   /// The error is twice the difference of both solutions, plus `scale` times their largest relative difference and
   /// times a hundredth of the last digit. The latter is a thousand times the length, over that of the contact, below
-  /// which the finer grid leaves out zones, and 10^8 times the kernels' errors (kernel_digits_of_slip), which both have
-  /// in common.
+  /// which both grids leave out zones.
   [[nodiscard]] Estimate number(const mpq_class& unit, const Float& scale,
                                 const Functional& functional) const {
     const WorkingDigits working(working_digits_of_slip(digits));
@@ -144,6 +143,31 @@ struct PartialSlipNip::Parts {
     if (!std::isfinite(y) || abs(y / to_float(units.length)) > farthest_inside + size)
       throw BadInput("y", y, "must be within 450 sheet thicknesses of the contact on the reference path");
     return at(y, functional);
+  }
+
+  [[nodiscard]] Estimate boundary(GridIndex zone) const {
+    return length([=](const SlipField& of) -> Float { return of.leading() - of.boundary(zone); });
+  }
+
+  /// Tractions and strains are as steep as a root of the distance from a boundary of zones. So their change over the
+  /// boundaries' error is added to `result`. This error is more than the length of a zone that is left out, which moves
+  /// what begins behind it by at most this length.
+  [[nodiscard]] Estimate with_boundaries(Estimate result, const mpq_class& unit, double y,
+                                         const FunctionalAt& functional) const {
+    const WorkingDigits working(working_digits_of_slip(digits));
+    Float known = 0;
+    for (GridIndex i = 0; i <= fine().zones().count(); ++i) known = std::max(known, boundary(i).error);
+    const Float in_unit = to_float(units.length), e = fine().leading() - y / in_unit,
+                here = functional(fine(), e);
+    for (const int side : {-1, 1})
+      result.error += abs(functional(fine(), e + side * known / in_unit) - here) * to_float(unit);
+    return result;
+  }
+  [[nodiscard]] Estimate traction(double y, const FunctionalAt& functional) const {
+    return with_boundaries(pressure(at(y, functional)), units.pressure, y, functional);
+  }
+  [[nodiscard]] Estimate strain(double y, const FunctionalAt& functional) const {
+    return with_boundaries(slope(near(y, functional)), units.slope, y, functional);
   }
 
   [[nodiscard]] Estimate peak(std::size_t of) const {
@@ -218,12 +242,10 @@ Estimate PartialSlipNip::peak_pressure() const { return parts_->peak(pressure_pa
 Estimate PartialSlipNip::peak_pressure_position() const { return parts_->peak_position(pressure_part); }
 Estimate PartialSlipNip::peak_shear() const { return parts_->peak(shear_part); }
 Estimate PartialSlipNip::peak_shear_position() const { return parts_->peak_position(shear_part); }
-Estimate PartialSlipNip::pressure(double y) const { return parts_->pressure(parts_->at(y, &Of::pressure)); }
-Estimate PartialSlipNip::shear(double y) const { return -1 * parts_->pressure(parts_->at(y, &Of::shear)); }
-Estimate PartialSlipNip::surface_strain(double y) const {
-  return parts_->slope(parts_->near(y, &Of::strain));
-}
-Estimate PartialSlipNip::slip(double y) const { return parts_->slope(parts_->near(y, &Of::slip)); }
+Estimate PartialSlipNip::pressure(double y) const { return parts_->traction(y, &Of::pressure); }
+Estimate PartialSlipNip::shear(double y) const { return -1 * parts_->traction(y, &Of::shear); }
+Estimate PartialSlipNip::surface_strain(double y) const { return parts_->strain(y, &Of::strain); }
+Estimate PartialSlipNip::slip(double y) const { return parts_->strain(y, &Of::slip); }
 Estimate PartialSlipNip::normal_displacement(double y) const {
   return parts_->displacement(parts_->near(y, &Of::normal_displacement));
 }
@@ -233,9 +255,7 @@ Estimate PartialSlipNip::tangential_displacement(double y) const {
 
 std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
   std::vector<Estimate> boundaries;
-  for (GridIndex i = 0; i <= parts_->fine().zones().count(); ++i)
-    boundaries.push_back(
-        parts_->length([i](const SlipField& of) -> Float { return of.leading() - of.boundary(i); }));
+  for (GridIndex i = 0; i <= parts_->fine().zones().count(); ++i) boundaries.push_back(parts_->boundary(i));
   return boundaries;
 }
 

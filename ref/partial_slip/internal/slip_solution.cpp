@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include <nipref/ref/partial_slip/internal/slip_solution.hpp>
@@ -143,14 +144,16 @@ std::pair<int, Float> sign_by_inequality(const SlipField::Sample& sample, double
   return {sample.sign != 0 ? 0 : shear > 0 ? 1 : -1, excess};
 }
 
-/// The zones by the inequalities. A stretch where these are violated changes its sign, unless the violation is smaller
-/// than that of the shortest zone, which is e^-nats of the contact: tractions are like the root of a length.
-Zones corrected(const SlipField& field) {
+/// The zones by the inequalities, nothing if these hold. A stretch where they are violated changes its sign, unless it
+/// or the violation is smaller than that of the shortest zone, which is e^-nats of the contact: tractions are like the
+/// root of a length. Where the stretch joins its neighbours, signs are as before, and only the lengths differ.
+std::optional<Zones> corrected(const SlipField& field) {
   const SlipContact& contact = field.contact();
   const double nats = contact.grid().nats(), friction = contact.problem().friction;
-  const Float least = exp(Float(-nats / 2)) * field.length();
+  const Float least = exp(Float(-nats / 2)) * field.length(), shortest = exp(Float(-nats)) * field.length();
   const auto& samples = field.samples();
   Zones zones;
+  bool is_violated = false;
   Float from = 0;
   for (GridIndex i = 0; i < samples.count();) {
     const int old = samples[i].sign, sign = sign_by_inequality(samples[i], friction).first;
@@ -165,10 +168,12 @@ Zones corrected(const SlipField& field) {
       }
       most = std::max(most, violation);
     }
-    add_zone(zones, most > least ? sign : old, to - from);
+    const bool changes = most > least && to - from > shortest;
+    add_zone(zones, changes ? sign : old, to - from);
+    is_violated |= changes;
     from = to;
   }
-  return without_short(zones, nats);
+  return is_violated ? std::optional(without_short(zones, nats)) : std::nullopt;
 }
 
 /// At the trailing end no sheet sticks, unless it sticks all along. Slip there that violates its inequality changes its
@@ -195,11 +200,14 @@ std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels
     newton.begin(field != nullptr ? field.get() : near);
     const bool converges = newton.converges();
     if (converges) field = std::make_unique<SlipField>(newton.result());
-    Zones better = converges ? corrected(*field) : newton.zones();
-    slip_at_end(better, zones, problem, !converges);
-    const bool is_same = are_alike(better, zones);
-    zones = converges && is_same ? newton.zones() : better;
-    if (is_same) return converges ? std::move(field) : nullptr;
+    std::optional<Zones> better = converges ? corrected(*field) : newton.zones();
+    if (!better) {
+      zones = newton.zones();
+      return field;
+    }
+    slip_at_end(*better, zones, problem, !converges);
+    if (!converges && are_alike(*better, zones)) return nullptr;
+    zones = *std::move(better);
   }
   return nullptr;
 }
@@ -207,9 +215,10 @@ std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels
 }  // namespace
 
 SolvedSlip solved_slip(const SlipProblem& problem, SheetKernels& kernels, Row<SlipZone> zones, int digits) {
-  SolvedSlip result;
+  SolvedSlip result{std::make_unique<SheetKernels>(digits + coarse_guard + fine_guard), nullptr, nullptr};
   for (int goal : {first_digits, 2 * first_digits, digits + coarse_guard, digits + fine_guard}) {
-    auto field = solved(problem, kernels, zones, goal, result.fine.get());
+    auto field = solved(problem, goal == digits + coarse_guard ? *result.coarse_kernels : kernels, zones,
+                        goal, result.fine.get());
     // Short zones may be visible on a finer grid only.
     if (!field && goal == first_digits) continue;
     if (!field) return {};
@@ -218,6 +227,7 @@ SolvedSlip solved_slip(const SlipProblem& problem, SheetKernels& kernels, Row<Sl
   return result;
 }
 
+/// With the two digits by which the coarser solution has fewer, a kernel's interpolation has a node more.
 int kernel_digits_of_slip(int digits) { return digits + 2 * fine_guard; }
 
 /// Remainders near a panel's end are small by as many digits as are wanted of them, which makes twice the digits.

@@ -11,8 +11,10 @@ namespace nipref::ref {
 /// violated, at a creep that follows from the traction. All zones make up `length`, even if the load is given.
 Row<SlipZone> plain_zones(const SlipProblem& problem, SheetKernels& kernels, double length);
 
-/// A contact solved with two grids.
+/// A contact solved with two grids. The kernels of the coarser one have larger errors, too, so that the difference of
+/// both contains what these do.
 struct SolvedSlip {
+  std::unique_ptr<SheetKernels> coarse_kernels;
   std::unique_ptr<const SlipField> coarse, fine;
 };
 

@@ -1,5 +1,6 @@
 // The contact with partial slip in multiprecision: against closed limits, its own inequalities and balances.
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <nipref/data/problem/seed_nips.hpp>
@@ -85,6 +86,11 @@ TEST_CASE("ref partial slip: a small contact without coupling is Carter's") {
   CHECK(apart(nip.pressure(0).value / slope, 2 * a) < 2 * a * least);
   CHECK(nip.creep_ratio().error < a * slope * 1e-15);
   CHECK(nip.shear(1).value_text() == "0");
+  // Next to an end the pressure is like the root of the distance, and errs by its change over the error of the end.
+  const Estimate end = nip.leading_length();
+  const double beside = std::nextafter(end.to_double(), 0);
+  const Estimate least_pressure = nip.pressure(beside);
+  CHECK(least_pressure.error >= least_pressure.value * end.error / (2 * (end.value - beside)));
   check_balance(nip);
 }
 
@@ -206,6 +212,21 @@ TEST_CASE("ref partial slip: a zone that shrinks to nothing at the trailing end 
   ref::SheetKernels kernels(20);
   const ref::Row<ref::SlipZone> guess{{-1, 0.004}, {0, 0.0455}, {1, 0.0115}, {0, 0.0013}, {-1, 0.0002}};
   CHECK(ref::solved_slip(problem, kernels, guess, 2).fine != nullptr);
+}
+
+TEST_CASE(
+    "ref partial slip: a solution whose slip is not opposed is not taken, though its zones have the right signs") {
+  const ref::WorkingDigits working(60);
+  ref::SlipProblem problem;
+  problem.beta = 0.6875;
+  problem.friction = 0.75;
+  problem.length = problem.unit = 0.0625;
+  problem.shear = 9.259e-5;
+  ref::SheetKernels kernels(20);
+  const ref::SolvedSlip solved =
+      ref::solved_slip(problem, kernels, ref::plain_zones(problem, kernels, 0.0625), 2);
+  REQUIRE(solved.fine != nullptr);
+  for (const ref::SlipField::Sample& sample : solved.fine->samples()) CHECK(sample.sign * sample.slip < 1e-6);
 }
 
 TEST_CASE("ref partial slip: with little friction, zones are guessed as half-spaces have them") {
