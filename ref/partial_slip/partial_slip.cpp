@@ -110,7 +110,7 @@ struct PartialSlipNip::Parts {
 
   /// The error is twice the difference of both solutions, plus `scale` times their largest relative difference and
   /// times a hundredth of the last digit. The latter is a thousand times the length, over that of the contact, below
-  /// which both grids leave out zones.
+  /// which the finer grid leaves out zones.
   [[nodiscard]] Estimate number(const mpq_class& unit, const Float& scale,
                                 const Functional& functional) const {
     const WorkingDigits working(working_digits_of_slip(digits));
