@@ -55,7 +55,7 @@ std::vector<ResultId> results_of_every_nip() {
   for (const data::SceneResult& result : data::scene_results()) {
     const bool is_moment = result.id == ResultId::leading_moment || result.id == ResultId::trailing_moment;
     const bool is_of_all = result.needs == data::Needs::nothing || result.needs == data::Needs::converged ||
-                           result.needs == data::Needs::inside;
+                           result.needs == data::Needs::inside || result.needs == data::Needs::inside_all;
     if (result.is_of(data::SceneKind::nip) && is_of_all && !is_moment) wanted.push_back(result.id);
   }
   return wanted;
