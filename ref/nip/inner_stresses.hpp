@@ -28,7 +28,8 @@ struct InnerDisplacements {
   Estimate along;   ///< v along Y, relative to the face at Y = 0
 };
 
-/// The largest maximum_shear in the sheet and its place; of places equal by symmetry, the one with y and depth >= 0.
+/// The largest maximum_shear in the sheet and its place; of places equal by symmetry, the one with y and depth >= 0. Of
+/// two maxima nearer to each other than a twentieth of the half-length or the half-thickness one may be missed.
 struct GreatestShear {
   Estimate value;
   Estimate y, depth;

@@ -255,6 +255,13 @@ FloatDisplacements InnerField::displacements(const SheetPoint& point, const Floa
 namespace {
 
 constexpr int rough_digits = 8;
+/// Intervals of samples for the greatest shear across the sheet or 2.5 half-lengths, halved about high samples. Maxima
+/// nearer to each other than half of one are not told apart.
+constexpr int samples_of_reach = 10;
+/// A maximum that is smooth over `reach` is at most 0.5 % above the nearest sample, reach/10 (2)^(-1/2) away, as
+/// curvatures are at most 2 middle/reach^2 (Cauchy); between samples of this share there are samples at half the
+/// distance. Maxima beside an end are sharper. Around them the search begins at lower samples, too.
+constexpr double high_share = 0.99, least_share = 0.8;
 /// Digits of the quadratures beyond those of the contact: the hundredth of the last digit that is added to errors is a
 /// hundred times the error of a quadrature.
 constexpr int guard = 4;
@@ -329,32 +336,76 @@ Float ContactField::smooth_radius(const SheetPoint& point) const {
   return std::min({Float(1), half_length_, to_end});
 }
 
-SheetPoint ContactField::best_sample(bool symmetric) const {
-  const Float reach = std::min(Float(1), half_length_);
-  SheetPoint best{middle_, 1};
-  Float largest = -1;
-  const auto is_better = [&](const SheetPoint& point) {
-    const Float shear = shear_of(rough_.at(point));
-    if (!(shear > largest)) return false;
-    largest = shear;
-    best = point;
+ContactField::Top ContactField::top_near(const SheetPoint& start, bool symmetric) const {
+  Top best{start, shear_of(rough_.at(start))};
+  const auto moved = [&](const Float& along, const Float& inwards) {
+    const Float alpha = best.point.alpha + along, depth = std::min(Float(1), best.point.depth + inwards);
+    const SheetPoint point{symmetric ? abs(alpha) : alpha, abs(depth)};
+    Float shear = shear_of(rough_.at(point));
+    if (!(shear > best.shear)) return false;
+    best = {point, std::move(shear)};
     return true;
   };
-  constexpr int across = 10;
-  const int steps = 10 + static_cast<int>(2 * static_cast<double>(half_length_));
-  const Float deepest = std::min(Float(1), 2.5 * reach);
-  for (int i = symmetric ? 0 : -steps; i <= steps; ++i) {
-    const Float alpha = middle_ + half_length_ * sin(pi() * i / (2 * steps));
-    for (int j = 0; j <= across; ++j) is_better({alpha, 1 - deepest * j / across});
-  }
-  const auto moved = [&](const Float& along, const Float& inwards) {
-    const Float alpha = best.alpha + along, depth = std::min(Float(1), best.depth + inwards);
-    return is_better({symmetric ? abs(alpha) : alpha, abs(depth)});
-  };
-  for (Float step = reach / across; step > std::max(smooth_radius(best), 1e-6 * reach) / 2000;) {
+  const Float reach = std::min(Float(1), half_length_);
+  for (Float step = reach / (2 * samples_of_reach);
+       step > std::max(smooth_radius(best.point), 1e-6 * reach) / 2000;) {
     if (!(moved(step, 0) || moved(-step, 0) || moved(0, step) || moved(0, -step))) step /= 2;
   }
   return best;
+}
+
+Float ContactField::largest_of(const Samples& samples) {
+  return std::ranges::max_element(samples, {}, [](const auto& one) { return one.second.shear; })
+      ->second.shear;
+}
+
+ContactField::Samples ContactField::samples(bool symmetric) const {
+  constexpr int across = 2 * samples_of_reach;
+  const int steps = across + 4 * static_cast<int>(static_cast<double>(half_length_)),
+            first = symmetric ? 0 : -steps;
+  const Float deepest = std::min(Float(1), 2.5 * half_length_);
+  Samples all;
+  const auto add = [&](int i, int j) {
+    if (i < first || i > steps || j < 0 || j > across || all.contains({i, j})) return;
+    const SheetPoint point{middle_ + half_length_ * sin(pi() * i / (2 * steps)), 1 - deepest * j / across};
+    all.emplace(std::pair(i, j), Top{point, shear_of(rough_.at(point))});
+  };
+  for (int i = first; i <= steps; i += 2)
+    for (int j = 0; j <= across; j += 2) add(i, j);
+  const Float high = high_share * largest_of(all);
+  for (const auto& [at, top] : std::map(all))
+    for (int near = 0; near < 9 && top.shear >= high; ++near)
+      add(at.first + near / 3 - 1, at.second + near % 3 - 1);
+  return all;
+}
+
+std::vector<SheetPoint> ContactField::tops(bool symmetric) const {
+  const Samples all = samples(symmetric);
+  const Float high = high_share * largest_of(all), least = least_share * largest_of(all);
+  std::vector<Top> tops;
+  for (const auto& [at, sample] : all) {
+    if (sample.shear < least) continue;
+    const int apart = sample.shear >= high ? 1 : 2;
+    bool is_largest = true;
+    for (int i = -apart; i <= apart; ++i) {
+      for (int j = -apart; j <= apart; ++j) {
+        const auto beside = all.find({at.first + i, at.second + j});
+        is_largest = is_largest && (beside == all.end() || beside->second.shear <= sample.shear);
+      }
+    }
+    if (!is_largest) continue;
+    Top top = top_near(sample.point, symmetric);
+    const auto is_near = [&](const Top& other) {
+      return hypot(top.point.alpha - other.point.alpha, top.point.depth - other.point.depth) <
+             smooth_radius(top.point) / 100;
+    };
+    if (std::ranges::none_of(tops, is_near)) tops.push_back(std::move(top));
+  }
+  const Float largest = std::ranges::max_element(tops, {}, &Top::shear)->shear;
+  std::erase_if(tops, [&](const Top& top) { return top.shear < (1 - 1e-6) * largest; });
+  std::vector<SheetPoint> points;
+  for (const Top& top : tops) points.push_back(top.point);
+  return points;
 }
 
 /// The gradient is computed by central differences of fourth order, with a step that balances their truncation error
@@ -406,22 +457,41 @@ ContactField::Peak ContactField::peak(const InnerField& field, const SheetPoint&
   return {at, 4 * pow(Float(step / reach), 4) * flatness * reach, 0};
 }
 
-GreatestShear ContactField::greatest(bool symmetric, const Float& unit, const Float& length) const {
-  const SheetPoint sample = best_sample(symmetric);
-  const Peak coarse = peak(coarse_, sample);
-  Peak fine = peak(fine_, sample);
+ContactField::Candidate ContactField::candidate(const SheetPoint& near, bool symmetric,
+                                                const Float& unit) const {
+  const Peak coarse = peak(coarse_, near);
+  Peak fine = peak(fine_, near);
   // A maximum whose distance from a line of symmetry is less than its error is put on that line.
   if (symmetric && abs(fine.point.alpha) < fine.point_error) fine.point.alpha = 0;
   if (abs(fine.point.depth) < fine.point_error) fine.point.depth = 0;
-  Estimate value = at(fine.point, symmetric, unit).maximum_shear();
-  value.error = at_working_precision(value.error) + unit * fine.shear_error;
-  const auto coordinate = [&](const Float& by_fine, const Float& by_coarse,
-                              const Float& in_unit) -> Estimate {
-    const Float error = 2 * abs(by_fine - by_coarse) + fine.point_error + power_of_ten(-digits_ - 2);
-    return {in_unit * by_fine, in_unit * error, digits_};
+  Estimate shear = at(fine.point, symmetric, unit).maximum_shear();
+  shear.error = at_working_precision(shear.error) + unit * fine.shear_error;
+  const auto error = [&](const Float& by_fine, const Float& by_coarse) -> Float {
+    return 2 * abs(by_fine - by_coarse) + fine.point_error + power_of_ten(-digits_ - 2);
   };
-  return {value, coordinate(fine.point.alpha, coarse.point.alpha, length),
-          coordinate(fine.point.depth, coarse.point.depth, 1)};
+  const Float of_alpha = error(fine.point.alpha, coarse.point.alpha),
+              of_depth = error(fine.point.depth, coarse.point.depth);
+  return {std::move(shear), fine.point, {of_alpha, of_depth}};
+}
+
+GreatestShear ContactField::greatest(bool symmetric, const Float& unit, const Float& length) const {
+  std::vector<Candidate> all;
+  for (const SheetPoint& near : tops(symmetric)) all.push_back(candidate(near, symmetric, unit));
+  const Candidate& best =
+      *std::ranges::max_element(all, {}, [](const Candidate& one) { return one.shear.value; });
+  Float shear_error = best.shear.error;
+  SheetPoint error = best.error;
+  for (const Candidate& one : all) {
+    const Float above = one.shear.value + one.shear.error - best.shear.value;
+    if (above < -best.shear.error) continue;
+    shear_error = std::max(shear_error, above);
+    error.alpha = std::max(error.alpha, Float(abs(one.point.alpha - best.point.alpha) + one.error.alpha));
+    error.depth = std::max(error.depth, Float(abs(one.point.depth - best.point.depth) + one.error.depth));
+  }
+  Estimate shear = best.shear;
+  shear.error = shear_error;
+  return {shear, Estimate{length * best.point.alpha, length * error.alpha, digits_},
+          Estimate{best.point.depth, error.depth, digits_}};
 }
 
 SheetPoint checked_point(const InnerPoint& point, const Float& length) {

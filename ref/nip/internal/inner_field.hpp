@@ -125,15 +125,32 @@ class ContactField {
   /// alpha = 0. The error estimate is twice the difference plus `uncertain`.
   [[nodiscard]] InnerDisplacements displacements_at(const SheetPoint& point, const FloatShares& share,
                                                     const Float& uncertain, const Float& unit) const;
-  /// The maximum is located by samples whose spacing scales with the contact, by a search around the best sample, and
-  /// by Newton's method for the zero of the gradient, which is computed by differences. `length` is the unit.
+  /// The maximum is located by samples whose spacing scales with the contact, by a search around each sample that is
+  /// larger than those beside it, and by Newton's method for the zero of the gradient, which is computed by differences.
+  /// Errors cover all maxima that may be the largest. `length` is the unit.
   [[nodiscard]] GreatestShear greatest(bool symmetric, const Float& unit, const Float& length) const;
 
  private:
   struct Peak;
   [[nodiscard]] Float smooth_radius(const SheetPoint& point) const;
-  [[nodiscard]] SheetPoint best_sample(bool symmetric) const;
+  struct Top {
+    SheetPoint point;
+    Float shear;
+  };
+  using Samples = std::map<std::pair<int, int>, Top>;  ///< by their numbers along and into the sheet
+  /// Samples at even numbers, and at all numbers beside the largest ones.
+  [[nodiscard]] Samples samples(bool symmetric) const;
+  static Float largest_of(const Samples& samples);
+  /// The place of most shear near `start` in the rough field, to half a thousandth of the radius of smoothness.
+  [[nodiscard]] Top top_near(const SheetPoint& start, bool symmetric) const;
+  /// The places of maxima that may be the largest: the search leaves at most 5e-7 of the shear to them, see peak().
+  [[nodiscard]] std::vector<SheetPoint> tops(bool symmetric) const;
   [[nodiscard]] Peak peak(const InnerField& field, const SheetPoint& near) const;
+  struct Candidate {
+    Estimate shear;
+    SheetPoint point, error;
+  };
+  [[nodiscard]] Candidate candidate(const SheetPoint& near, bool symmetric, const Float& unit) const;
 
   InnerField coarse_, fine_, rough_;
   Float middle_, half_length_, scale_, uncertainty_;
