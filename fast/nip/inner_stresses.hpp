@@ -29,7 +29,9 @@ struct InnerDisplacements {
   Estimate along;   ///< v, along Y, relative to the face at Y = 0
 };
 
-/// The largest maximum_shear in the sheet and its place; of places equal by symmetry the one with y >= 0, depth >= 0.
+/// The largest maximum_shear in the sheet and its place; of places equal by symmetry the one with y >= 0, depth >= 0. Of
+/// two maxima nearer to each other than a step of the grid on which the search begins, 1/24 of the half-length or of the
+/// half-thickness, one may be missed.
 struct GreatestShear {
   Estimate value;
   Estimate y, depth;

@@ -26,6 +26,16 @@ namespace {
 /// All units of the dimensionless contact are powers of two: b = 1, b/(2R) = 2^-10, N = 1.
 constexpr double slope = 0x1p-10;
 
+/// A contact with much friction and coupling.
+ref::SlipProblem short_contact(double shear) {
+  ref::SlipProblem problem;
+  problem.beta = 0.6875;
+  problem.friction = 0.75;
+  problem.length = problem.unit = 0.0625;
+  problem.shear = shear;
+  return problem;
+}
+
 data::PartialSlipNip slipping_nip(double poisson, double friction, const data::Drive& drive) {
   data::ElasticNip nip = data::seed::nip(2);
   nip.roller_radius = 512;
@@ -203,12 +213,8 @@ TEST_CASE("ref partial slip: with large friction and coupling, zones are guessed
 
 TEST_CASE("ref partial slip: a zone that shrinks to nothing at the trailing end leaves the slip before it") {
   const ref::WorkingDigits working(60);
-  ref::SlipProblem problem;
-  problem.beta = 0.6875;
-  problem.friction = 0.75;
-  problem.length = problem.unit = 0.0625;
   // This contact is not found either if Newton's method begins at least squares in place of tractions found before.
-  problem.shear = 1.848e-4;
+  const ref::SlipProblem problem = short_contact(1.848e-4);
   ref::SheetKernels kernels(20);
   const ref::Row<ref::SlipZone> guess{{-1, 0.004}, {0, 0.0455}, {1, 0.0115}, {0, 0.0013}, {-1, 0.0002}};
   CHECK(ref::solved_slip(problem, kernels, guess, 2).fine != nullptr);
@@ -217,11 +223,7 @@ TEST_CASE("ref partial slip: a zone that shrinks to nothing at the trailing end 
 TEST_CASE(
     "ref partial slip: a solution whose slip is not opposed is not taken, though its zones have the right signs") {
   const ref::WorkingDigits working(60);
-  ref::SlipProblem problem;
-  problem.beta = 0.6875;
-  problem.friction = 0.75;
-  problem.length = problem.unit = 0.0625;
-  problem.shear = 9.259e-5;
+  const ref::SlipProblem problem = short_contact(9.259e-5);
   ref::SheetKernels kernels(20);
   const ref::SolvedSlip solved =
       ref::solved_slip(problem, kernels, ref::plain_zones(problem, kernels, 0.0625), 2);
