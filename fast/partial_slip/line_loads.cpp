@@ -27,8 +27,10 @@ PartialSlipLineLoads line_loads_for_load(const data::PartialSlipNip& nip, int el
   ElementContact contact =
       element_contact(task, 2 * static_cast<int>(std::ceil(element_reach * elements_per_side)));
   if (!contact.settled)
-    throw data::BadInput("elements_per_side", elements_per_side,
-                         "must be another number: these meet no conditions of stick and slip");
+    throw data::BadInput(
+        "elements_per_side", elements_per_side,
+        "must be another number: these meet no conditions of stick and slip, or friction moves the "
+        "contact beyond them");
   // The mean of e^2 over an element is e^2 of its middle plus width^2/12.
   const double approach = contact.approach + contact.width * contact.width / 12;
   PartialSlipLineLoads result{{.roller_radius = nip.roller_radius,

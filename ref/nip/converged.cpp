@@ -497,9 +497,8 @@ int ConvergedNip::unknowns() const {
 }
 
 KernelValues ConvergedNip::kernel_values() const {
-  const KernelValues a = parts_->solved ? parts_->solved->kernel_values() : KernelValues(),
-                     b = parts_->proof ? parts_->proof->contact->kernel_values() : KernelValues();
-  return {a.normal + b.normal, a.coupling + b.coupling, a.stretch + b.stretch};
+  return (parts_->solved ? parts_->solved->kernel_values() : KernelValues()) +
+         (parts_->proof ? parts_->proof->contact->kernel_values() : KernelValues());
 }
 
 }  // namespace nipref::ref

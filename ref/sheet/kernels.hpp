@@ -36,6 +36,9 @@ Enclosure I7(const Exact& eta, int digits);
 /// Numbers of kernel values that were computed: of I1, of I3, and of I6 - I1.
 struct KernelValues {
   long normal = 0, coupling = 0, stretch = 0;
+  friend KernelValues operator+(const KernelValues& a, const KernelValues& b) {
+    return {a.normal + b.normal, a.coupling + b.coupling, a.stretch + b.stretch};
+  }
 };
 
 /// BadInput naming `name` unless |argument| <= 1000.

@@ -271,21 +271,17 @@ GreatestShear InnerField::greatest_shear() const {
     tops.push_back({best, at({place_of(best.y), best.depth, is_symmetric && best.y == 0}).maximum_shear()});
   }
   tolerance = quadrature_tolerance;
-  const auto unsure = [&](const Top& top, double slack) {
-    const double highest = shear_at(top.at);
-    const auto fall = [&](double y, double depth) {
-      const SearchPoint there{top.at.y + y, top.at.depth + depth};
-      const bool is_sought = there.depth >= 0 && there.depth <= 1 && !(is_symmetric && there.y < 0);
-      return is_sought ? highest - shear_at(there) : std::numeric_limits<double>::infinity();
-    };
-    return flat_part(fall, slack, last_step(top.at), {2 * half_length, 1});
-  };
   const Top& best = *std::ranges::max_element(tops, {}, [](const Top& top) { return top.shear.value; });
   GreatestShear result{best.shear, {best.at.y, 0}, {best.at.depth, 0}};
   for (const auto& [at, shear] : tops) {
     const double slack = best.shear.error + shear.error, lower = best.shear.value - shear.value;
     if (lower > slack) continue;
-    const SearchPoint around = unsure({at, shear}, slack);
+    const auto fall = [&, &top = at, highest = shear_at(at)](double y, double depth) {
+      const SearchPoint there{top.y + y, top.depth + depth};
+      const bool is_sought = there.depth >= 0 && there.depth <= 1 && !(is_symmetric && there.y < 0);
+      return is_sought ? highest - shear_at(there) : std::numeric_limits<double>::infinity();
+    };
+    const SearchPoint around = flat_part(fall, slack, last_step(at), {2 * half_length, 1});
     result.value.error = std::max(result.value.error, shear.error - lower);
     result.y.error = std::max(result.y.error, std::fabs(at.y - best.at.y) + around.y);
     const double away = std::fabs(at.depth - best.at.depth);

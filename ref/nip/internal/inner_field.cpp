@@ -373,27 +373,27 @@ ContactField::Samples ContactField::samples(bool symmetric) const {
   for (int i = first; i <= steps; i += 2)
     for (int j = 0; j <= across; j += 2) add(i, j);
   const Float high = high_share * largest_of(all);
-  for (const auto& [at, top] : std::map(all))
-    for (int near = 0; near < 9 && top.shear >= high; ++near)
-      add(at.first + near / 3 - 1, at.second + near % 3 - 1);
+  for (const auto& [at, top] : std::map(all)) {
+    if (top.shear < high) continue;
+    for (int i = -1; i <= 1; ++i)
+      for (int j = -1; j <= 1; ++j) add(at.first + i, at.second + j);
+  }
   return all;
 }
 
 std::vector<SheetPoint> ContactField::tops(bool symmetric) const {
   const Samples all = samples(symmetric);
-  const Float high = high_share * largest_of(all), least = least_share * largest_of(all);
+  const Float largest_sample = largest_of(all);
+  const auto is_larger_beside = [&](const auto& at, const Float& shear) {
+    const int apart = shear >= high_share * largest_sample ? 1 : 2;
+    return std::ranges::any_of(all, [&](const auto& other) {
+      return std::abs(other.first.first - at.first) <= apart &&
+             std::abs(other.first.second - at.second) <= apart && other.second.shear > shear;
+    });
+  };
   std::vector<Top> tops;
   for (const auto& [at, sample] : all) {
-    if (sample.shear < least) continue;
-    const int apart = sample.shear >= high ? 1 : 2;
-    bool is_largest = true;
-    for (int i = -apart; i <= apart; ++i) {
-      for (int j = -apart; j <= apart; ++j) {
-        const auto beside = all.find({at.first + i, at.second + j});
-        is_largest = is_largest && (beside == all.end() || beside->second.shear <= sample.shear);
-      }
-    }
-    if (!is_largest) continue;
+    if (sample.shear < least_share * largest_sample || is_larger_beside(at, sample.shear)) continue;
     Top top = top_near(sample.point, symmetric);
     const auto is_near = [&](const Top& other) {
       return hypot(top.point.alpha - other.point.alpha, top.point.depth - other.point.depth) <
@@ -479,17 +479,15 @@ GreatestShear ContactField::greatest(bool symmetric, const Float& unit, const Fl
   for (const SheetPoint& near : tops(symmetric)) all.push_back(candidate(near, symmetric, unit));
   const Candidate& best =
       *std::ranges::max_element(all, {}, [](const Candidate& one) { return one.shear.value; });
-  Float shear_error = best.shear.error;
+  Estimate shear = best.shear;
   SheetPoint error = best.error;
   for (const Candidate& one : all) {
     const Float above = one.shear.value + one.shear.error - best.shear.value;
     if (above < -best.shear.error) continue;
-    shear_error = std::max(shear_error, above);
+    shear.error = std::max(shear.error, above);
     error.alpha = std::max(error.alpha, Float(abs(one.point.alpha - best.point.alpha) + one.error.alpha));
     error.depth = std::max(error.depth, Float(abs(one.point.depth - best.point.depth) + one.error.depth));
   }
-  Estimate shear = best.shear;
-  shear.error = shear_error;
   return {shear, Estimate{length * best.point.alpha, length * error.alpha, digits_},
           Estimate{best.point.depth, error.depth, digits_}};
 }

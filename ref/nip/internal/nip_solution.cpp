@@ -295,10 +295,7 @@ int SolvedNip::first_unknowns(const NipSheet& sheet, const Float& half_length, i
 
 int SolvedNip::unknowns() const { return checked_unknowns(*sheet_, fine_->panels(), digits_); }
 
-KernelValues SolvedNip::kernel_values() const {
-  const KernelValues a = kernels_->values(), b = coarse_kernels_->values();
-  return {a.normal + b.normal, a.coupling + b.coupling, a.stretch + b.stretch};
-}
+KernelValues SolvedNip::kernel_values() const { return kernels_->values() + coarse_kernels_->values(); }
 
 Float SolvedNip::kernel_share() { return pow(Float(10), 2 - kernel_guard); }
 
