@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/nip/internal/inner_field.hpp>
+#include <nipref/fast/nip/internal/shear_search.hpp>
 #include <nipref/fast/number/internal/checks.hpp>
 #include <nipref/fast/sheet/internal/half_planes.hpp>
 
@@ -65,63 +65,6 @@ double size_of_stresses(double half_length, double distance, bool sticks) {
 
 Estimate mean_of(const InnerStresses& s) {
   return {(s.across.value + s.along.value) / 2, (s.across.error + s.along.error) / 2};
-}
-
-/// A point of the search for the largest shear, y from the contact's middle.
-struct SearchPoint {
-  double y, depth;
-};
-constexpr int grid_steps = 24;
-/// The local maxima on the grid on which the search begins, as deep as 2.5 half-lengths. It is denser at the ends,
-/// beside which full friction may cause the largest shear.
-std::vector<SearchPoint> grid_maxima(double half_length, bool is_symmetric, const auto& shear_at) {
-  const double deepest = std::min(1.0, 2.5 * half_length);
-  const int first = is_symmetric ? 0 : -grid_steps, columns = grid_steps - first + 1;
-  const auto point = [&](Eigen::Index i, Eigen::Index j) -> SearchPoint {
-    const double along = static_cast<double>(first + i) / grid_steps;
-    return {half_length * std::sin(std::numbers::pi / 2 * along),
-            1 - deepest * static_cast<double>(j) / grid_steps};
-  };
-  const Eigen::MatrixXd shears = Eigen::MatrixXd::NullaryExpr(
-      columns, grid_steps + 1, [&](Eigen::Index i, Eigen::Index j) { return shear_at(point(i, j)); });
-  std::vector<SearchPoint> maxima;
-  for (Eigen::Index i = 0; i < shears.rows(); ++i) {
-    for (Eigen::Index j = 0; j < shears.cols(); ++j) {
-      const Eigen::Index left = std::max<Eigen::Index>(i - 1, 0), above = std::max<Eigen::Index>(j - 1, 0);
-      const auto around = shears.block(left, above, std::min(i + 2, shears.rows()) - left,
-                                       std::min(j + 2, shears.cols()) - above);
-      if (shears(i, j) == around.maxCoeff()) maxima.push_back(point(i, j));
-    }
-  }
-  return maxima;
-}
-
-/// The distances from a maximum within which a function falls by no more than `slack`, from `least` to `most`;
-/// fall(y, depth) is its fall at distances in both directions. Beside the maximum, a paraboloid falls by f_y or f_d at
-/// a distance in one direction, and by f_y + f_d +- 2 c (f_y f_d)^(1/2) at both distances. What of it is above a level
-/// reaches 1/(1 - c^2)^(1/2) times as far in a direction as it does on this direction's axis.
-SearchPoint flat_part(const auto& fall, double slack, double least, const SearchPoint& most) {
-  const auto on_axis = [&](double y, double depth, double farthest) {
-    double far = least;
-    while (far < farthest && !(std::min(fall(far * y, far * depth), fall(-far * y, -far * depth)) > slack))
-      far *= 1.5;
-    return std::min(far, farthest);
-  };
-  const double y = on_axis(1, 0, most.y), depth = on_axis(0, 1, most.depth);
-  double c = 0;
-  for (const double to_y : {y, -y}) {
-    for (const double to_depth : {depth, -depth}) {
-      const double along = fall(to_y, 0), across = fall(0, to_depth), both = fall(to_y, to_depth);
-      if (std::isinf(both)) continue;
-      const double product = along * across;
-      if (product > 0)
-        c = std::max(c, std::fabs(both - along - across) / (2 * std::sqrt(product)));
-      else if (!(both > slack))
-        c = 1;
-    }
-  }
-  const double longer = 1 / std::sqrt(std::max(1 - c * c, 0.0));
-  return {std::min(longer * y, most.y), std::min(longer * depth, most.depth)};
 }
 
 }  // namespace
@@ -218,70 +161,28 @@ InnerDisplacements InnerField::from_face(const SheetPoint& point, const internal
 }
 
 GreatestShear InnerField::greatest_shear() const {
-  const double half_length = nip_.half_length(), reach = std::min(1.0, half_length);
+  using Point = ShearSearch::Point;
+  const double half_length = nip_.half_length();
   const bool is_symmetric = nip_.is_symmetric();
-  constexpr double coarse = 1e-5;
-  double tolerance = coarse;
   const auto place_of = [&](double y) { return ContactPlace{y < 0, half_length - std::fabs(y)}; };
-  const auto shear_at = [&](const SearchPoint& at) {
+  const ShearSearch search(half_length, is_symmetric, [&](const Point& point, double tolerance) {
     const Solution& last = nip_.last();
-    const auto s = stresses(last, place_of(at.y), at.depth, stress_kernel(at.depth), tolerance);
+    const auto s = stresses(last, place_of(point.y), point.depth, stress_kernel(point.depth), tolerance);
     return std::hypot((last.value(s[0]) - last.value(s[1])) / 2, last.value(s[2]));
-  };
-  const auto from_end = [&](const SearchPoint& at) {
-    return std::hypot(half_length - std::fabs(at.y), 1 - at.depth);
-  };
-  const auto scale = [&](const SearchPoint& at) { return std::min(reach, from_end(at)); };
-  const auto last_step = [&](const SearchPoint& at) { return std::max(1e-9 * scale(at), 1e-14 * reach); };
-  const auto top_near = [&](SearchPoint best) {
-    double largest = 0;
-    const auto moves_to = [&](const SearchPoint& point) {
-      const double here = shear_at(point);
-      if (!(here > largest)) return false;
-      largest = here;
-      best = point;
-      return true;
-    };
-    // A step changes the shear by about (step/scale)^2. A tolerance of this part of the change shows its sign.
-    const auto resolve = [&](double step) {
-      constexpr double telling = 1e-4;
-      tolerance = std::clamp(telling * std::pow(step / scale(best), 2), quadrature_tolerance, coarse);
-      largest = shear_at(best);
-    };
-    double step = reach / grid_steps;
-    resolve(step);
-    while (step > last_step(best)) {
-      const auto [y, depth] = best;
-      const double back = is_symmetric ? std::fabs(y - step) : y - step;
-      const bool moved = moves_to({y + step, depth}) || moves_to({back, depth}) ||
-                         moves_to({y, std::min(1.0, depth + step)}) || moves_to({y, std::fabs(depth - step)});
-      if (moved) continue;
-      step /= 2;
-      resolve(step);
-    }
-    return best;
-  };
+  });
   struct Top {
-    SearchPoint at;
+    Point at;
     Estimate shear;
   };
   std::vector<Top> tops;
-  for (const SearchPoint& start : grid_maxima(half_length, is_symmetric, shear_at)) {
-    const SearchPoint best = top_near(start);
-    tops.push_back({best, at({place_of(best.y), best.depth, is_symmetric && best.y == 0}).maximum_shear()});
-  }
-  tolerance = quadrature_tolerance;
+  for (const Point& top : search.maxima())
+    tops.push_back({top, at({place_of(top.y), top.depth, is_symmetric && top.y == 0}).maximum_shear()});
   const Top& best = *std::ranges::max_element(tops, {}, [](const Top& top) { return top.shear.value; });
   GreatestShear result{best.shear, {best.at.y, 0}, {best.at.depth, 0}};
   for (const auto& [at, shear] : tops) {
     const double slack = best.shear.error + shear.error, lower = best.shear.value - shear.value;
     if (lower > slack) continue;
-    const auto fall = [&, &top = at, highest = shear_at(at)](double y, double depth) {
-      const SearchPoint there{top.y + y, top.depth + depth};
-      const bool is_sought = there.depth >= 0 && there.depth <= 1 && !(is_symmetric && there.y < 0);
-      return is_sought ? highest - shear_at(there) : std::numeric_limits<double>::infinity();
-    };
-    const SearchPoint around = flat_part(fall, slack, last_step(at), {2 * half_length, 1});
+    const Point around = search.flat_part(at, slack);
     result.value.error = std::max(result.value.error, shear.error - lower);
     result.y.error = std::max(result.y.error, std::fabs(at.y - best.at.y) + around.y);
     const double away = std::fabs(at.depth - best.at.depth);

@@ -32,9 +32,8 @@ class InnerField {
   [[nodiscard]] InnerStresses at(const SheetPoint& point) const;
   /// The displacements less v and |depth| u of the face, over theta1 + theta2.
   [[nodiscard]] InnerDisplacements from_face(const SheetPoint& point, const internal::Shares& share) const;
-  /// The largest shear and its place, y from the contact's middle, by a grid that scales with the contact and is finer
-  /// at its ends, then by ever smaller steps around each maximum of the grid. In a symmetric contact only y >= 0 is
-  /// searched. The error of the place covers all maxima found that may be the largest, and where they are flat.
+  /// The largest shear and its place, y from the contact's middle, by ShearSearch. The error of the place covers all
+  /// maxima found that may be the largest, and where they are flat.
   [[nodiscard]] GreatestShear greatest_shear() const;
 
  private:
