@@ -213,7 +213,9 @@ template double steady_memory_beside_limit(Kernel, const SurfacePoint&, const Fa
 template Complex steady_memory_beside_limit(Kernel, const SurfacePoint&, const OscillatingFade&, Accuracy);
 
 double steady_memory_of_slope(Kernel kernel, const SurfacePoint& start, const Fade& fade, Accuracy accuracy) {
-  if (fade.rate.high == 0) return limit(kernel) - kernel_at(kernel, start, accuracy);
+  // At rate 0 the slope's integral is the limit minus the kernel. Far ahead of the load the two cancel.
+  if (fade.rate.high == 0 && start.at.high < nearest)
+    return limit(kernel) - kernel_at(kernel, start, accuracy);
   return slope_memory(kernel, start, fade, accuracy);
 }
 
