@@ -64,5 +64,17 @@ TEST_CASE("the memory of a slope is the kernel's memory times the rate less the 
   }
 }
 
+TEST_CASE("a slope that is not forgotten is the kernel's distance from its limit, also where this is small") {
+  const Fade kept = fade(Two{0, 0}, {Kernel::I3}, Accuracy()),
+             almost = fade(Two{1e-20, 0}, {Kernel::I3}, Accuracy());
+  for (const double w : {-0.9, -0.6, -0.03, 0.2, 0.54, 0.9, 1.5, 5.0, 9.0, 30.0}) {
+    CAPTURE(w);
+    const SurfacePoint at = surface_point({w, 0}, Accuracy());
+    const double slope = steady_memory_of_slope(Kernel::I3, at, kept, Accuracy()),
+                 expected = steady_memory_of_slope(Kernel::I3, at, almost, Accuracy());
+    CHECK(std::fabs(slope - expected) < 4e-15 * std::fabs(expected));
+  }
+}
+
 }  // namespace
 }  // namespace nipref::fast::internal
