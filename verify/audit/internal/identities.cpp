@@ -93,9 +93,10 @@ constexpr std::array given_pairs{
 std::optional<Variant> given_back(const DrawnScene& drawn, const SceneSolution<Estimate>& solved) {
   for (const GivenPair& pair : given_pairs) {
     if (!drawn.has(pair.found_key)) continue;
-    // With a traction several loads may lead to the same contact length.
+    // With a traction or a given creep several loads may lead to the same contact length.
     const char* const traction = "traction.force_per_length";
-    if (pair.given == ResultId::load && drawn.has(traction) && drawn.number(traction) != 0) return {};
+    const bool rolls_freely = drawn.has(traction) && drawn.number(traction) == 0;
+    if (pair.given == ResultId::load && drawn.has("friction.coefficient") && !rolls_freely) return {};
     const Estimate found = solved[pair.found];
     if (!(found.value > 0)) return {};
     const double more = pair.condition * found.error / found.value;
@@ -132,8 +133,8 @@ std::vector<double> mirrored_stiffness(std::vector<double> upper) {
 }
 
 std::optional<Variant> mirrored(const DrawnScene& drawn) {
-  if ((drawn.has("rolling.speed") && !is_half_space(drawn)) || drawn.has("traction.force_per_length"))
-    return {};
+  // With memory or Coulomb's friction a nip has a leading end.
+  if ((drawn.has("rolling.speed") && !is_half_space(drawn)) || drawn.has("friction.coefficient")) return {};
   const std::vector<ResultId> odd =
       is_half_space(drawn)
           ? std::vector{ResultId::transverse_displacement, ResultId::orientation, ResultId::centre_across}
