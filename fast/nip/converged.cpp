@@ -37,8 +37,9 @@ struct ConvergedNip::Implementation {
     if (!kept_offset) {
       kept_offset = solved.estimate(
           [&](const Solution& solution) { return solution.of_unknown(*equations().offset_unknown()); });
-      // Sums of the offset with the half-length or a place in the contact are rounded, and their products with the unit.
-      kept_offset->error += 0x1p-52 * (half_length() + std::fabs(kept_offset->value));
+      // The half-length, its sum with the offset and the product of this sum with the unit are rounded, and so are, next
+      // to an end, the half-length, a place in half-thicknesses and its distance from the middle.
+      kept_offset->error += 0x1p-53 * (3 * half_length() + 2 * std::fabs(kept_offset->value));
     }
     return *kept_offset;
   }
