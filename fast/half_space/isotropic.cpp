@@ -42,7 +42,7 @@ bool is_slow(Two speed, double poisson) { return is_subcritical(line_at(square(s
   const double limit = isotropic_rayleigh_speed(solid.poisson) * std::sqrt(solid.shear / solid.density);
   throw data::BadInput(
       "speed", speed,
-      fmt::format("must be below {:.6g}, which is critical on lines {:.6g} degrees from the motion",
+      fmt::format("must be below {}, which is critical on lines {:.6g} degrees from the motion",
                   limit / std::fabs(from_motion.cosine), psi));
 }
 

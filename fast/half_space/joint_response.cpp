@@ -26,7 +26,7 @@ Estimate to_rounding(double value) { return {value, internal::response_rounding 
 void refuse_supercritical(double speed, double limit, std::string_view of) {
   if (speed < limit) return;
   throw data::BadInput("speed", speed,
-                       fmt::format("must be below {:.6g}, where the line along the motion is critical: the "
+                       fmt::format("must be below {}, where the line along the motion is critical: the "
                                    "Rayleigh speed of the {}",
                                    limit, of));
 }

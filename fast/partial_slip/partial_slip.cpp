@@ -58,7 +58,7 @@ void check(const data::PartialSlipNip& nip) {
   if (given != nullptr && !(std::fabs(given->force_per_length) < most))
     throw BadInput(
         "force_per_length", given->force_per_length,
-        fmt::format("must be less in size than the friction coefficient times the load, {:g}", most));
+        fmt::format("must be less in size than the friction coefficient times the load, {}", most));
   throw BadInput("friction_coefficient", nip.friction_coefficient,
                  "was met by no zones of stick and slip that were found");
 }

@@ -304,7 +304,7 @@ void check_subcritical(const ExactStiffness& solid, const Exact& speed, const Su
   const double cosine = std::fabs(mpfi_get_d(cosine_between(motion, psi, 64).get()));
   throw data::BadInput(
       "speed", speed.text(),
-      fmt::format("must be below {:.6g}, which is critical on lines {:.6g} degrees from the motion",
+      fmt::format("must be below {}, which is critical on lines {:.6g} degrees from the motion",
                   critical_speed_along(solid, motion, psi, 16).to_double(),
                   std::acos(std::min(cosine, 1.0)) * 180 / std::numbers::pi));
 }
@@ -312,10 +312,9 @@ void check_subcritical(const ExactStiffness& solid, const Exact& speed, const Su
 void check_subcritical(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion) {
   const CriticalLine line = std::ranges::min(lowest_lines(solid, motion), {}, &CriticalLine::speed);
   if (is_subcritical(solid, speed, motion, SurfaceDirection::of_degrees(Exact(line.psi)))) return;
-  throw data::BadInput(
-      "speed", speed.text(),
-      fmt::format("must be below {:.10g}, which is critical on the line psi = {:.6g} degrees",
-                  line.speed * unit_of_speed(solid), line.psi));
+  throw data::BadInput("speed", speed.text(),
+                       fmt::format("must be below {}, which is critical on the line psi = {:.6g} degrees",
+                                   line.speed * unit_of_speed(solid), line.psi));
 }
 
 CriticalSpeed critical_speed(const ExactStiffness& solid, const SurfaceDirection& motion, int digits) {

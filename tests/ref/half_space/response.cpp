@@ -124,7 +124,7 @@ TEST_CASE("speeds are refused from the critical one on, on one line and on all")
     ref::check_subcritical(isotropic, Exact(speed), degrees(0), degrees(psi));
   };
   CHECK_NOTHROW(check_line(std::nextafter(rayleigh, 0), 0));
-  CHECK_REFUSED(check_line(std::nextafter(rayleigh, 1), 0), "must be below 0.919402");
+  CHECK_REFUSED(check_line(std::nextafter(rayleigh, 1), 0), "must be below 0.919401686761966");
   CHECK_REFUSED(check_line(0.95, 0), "speed = 0.95: ");
   CHECK_NOTHROW(check_line(0.95, 60));
   CHECK_REFUSED(check_line(1.9, 60), "lines 60 degrees");
