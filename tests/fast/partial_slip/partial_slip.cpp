@@ -10,6 +10,7 @@
 
 using namespace nipref;
 using data::GivenCreep, data::GivenTraction;
+using fast::Estimate;
 
 namespace {
 

@@ -305,7 +305,7 @@ TEST_CASE("ref contact: no place inside has more shear than the greatest, where 
   const auto stresses = contact.inner_stresses(places);
   const ref::GreatestShear greatest = contact.greatest_shear();
   for (const ref::InnerStresses& there : stresses) {
-    const Estimate shear = there.maximum_shear();
+    const ref::Estimate shear = there.maximum_shear();
     CHECK(greatest.value.value + greatest.value.error >= shear.value - shear.error);
   }
 }
