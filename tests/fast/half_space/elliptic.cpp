@@ -153,6 +153,20 @@ TEST_CASE("elliptic: under a sphere at rest the surface is displaced as Hertz an
   CHECK_REFUSED(contact.displacement(load, response, {1, 0}, INFINITY), "x = inf");
 }
 
+TEST_CASE("elliptic: the surface across the motion is displaced alike on both sides") {
+  const SurfaceResponse response = isotropic(any_poisson, 0);
+  // The computed major axis of some of these circles is exactly along the motion. On one side the place then has the
+  // coordinate -0.
+  for (int radius = 1; radius <= 40; ++radius) {
+    const EllipticContact contact(response, Indenter::sphere(radius));
+    const EllipticLoad load = contact.for_force(0.3);
+    const auto normal = [&](double side) {
+      return contact.displacement(load, response, Direction::of_degrees(90), side * load.semi_major.value)[2];
+    };
+    CHECK(std::fabs(normal(0.9).value - normal(-0.9).value) <= normal(0.9).error + normal(-0.9).error);
+  }
+}
+
 TEST_CASE("elliptic: a slender body's surface has its shape in the contact, next to the critical speed too") {
   for (const double gap : {1., 1e-2, 1e-6}) {
     const double speed = (1 - gap) * fast::isotropic_rayleigh_speed(any_poisson);
