@@ -395,6 +395,19 @@ TEST_CASE("where rounding hides zones at the best accuracy they are found with f
   CHECK(std::fabs(best.load().value - usual.load().value) <= best.load().error + usual.load().error);
 }
 
+TEST_CASE(
+    "the shear has the sign of the slip up to the trailing end, where slip turns around within 2e-5 of the contact") {
+  const auto nip = fast::partial_slip_for_load(
+      {{281, 0.322, {75372, 0.43954}}, 0.011975, GivenTraction{-1.23208e-6}}, 1.03754e-4, 1e-7);
+  const double end = -nip.trailing_length().value;
+  for (const double share : {0.01, 1e-4, 1e-6, 1e-8}) {
+    CAPTURE(share);
+    const double y = end + share * nip.contact_length().value;
+    const Estimate slip = nip.slip(y);
+    CHECK((std::fabs(slip.value) <= slip.error || slip.value * nip.shear(y).value > 0));
+  }
+}
+
 TEST_CASE("next to full slip the creep's error covers what a rounding of the traction changes") {
   constexpr double mu = 0.77, load = 3.24e-5;
   for (const double left : {2.6e-7, 2.8e-7, 3e-7, 3.2e-7, 3.4e-7}) {
