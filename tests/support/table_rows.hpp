@@ -9,8 +9,7 @@ inline std::string replaced_in(std::string text, const std::string& from, const 
 }
 
 /// The cells, separated by bars, in the lines of a text file of the tests. A line that begins with a blank continues
-/// the line above. Empty lines and those with # are left out, and except in .ci/thorough those that begin with
-/// `thorough`. \n stands for a line break.
+/// the line above. Empty lines and those with # are left out. \n stands for a line break.
 inline std::vector<std::vector<std::string>> table_rows(const std::string& name) {
   std::ifstream file(source_directory() + "/tests/" + name);
   std::vector<std::string> lines;
@@ -22,13 +21,8 @@ inline std::vector<std::vector<std::string>> table_rows(const std::string& name)
     }
   }
   constexpr std::string_view bar = " | ";
-  constexpr std::string_view thorough = "thorough ";
   std::vector<std::vector<std::string>> rows;
   for (std::string line : lines) {
-    if (line.starts_with(thorough)) {
-      if (!is_thorough()) continue;
-      line.erase(0, thorough.size());
-    }
     auto& row = rows.emplace_back();
     for (std::size_t at = 0; (at = line.find(bar)) != std::string::npos; line.erase(0, at + bar.size()))
       row.push_back(replaced_in(line.substr(0, at), "\\n", "\n"));

@@ -79,7 +79,7 @@ TEST_CASE("ref contact: the double path's estimates cover what they are off by a
 TEST_CASE("ref contact: random ones are proven, digits and panels meet, double is within its errors") {
   std::mt19937_64 random(random_seed(7));
   int softened = 0, proven = 0;
-  for (int i = 0; i < random_contacts(is_thorough() ? 3 : 2); ++i) {
+  for (int i = 0; i < random_contacts(3); ++i) {
     const double length = between(1e-3, 4, random), memory = length * between(0.1, 1e2, random);
     const ElasticNip nip{100, 1, {1, i == 0 ? 0.5 : 1.4 - between(0.9, 2.3, random)}};
     const auto softening =

@@ -30,7 +30,7 @@ void check_like_fast(const ref::LineLoadNip& mine, const fast::LineLoadNip& thei
 }  // namespace
 
 TEST_CASE("ref rolling line loads of random nips: fewer digits enclose more digits, and what double gives") {
-  const int nips = is_thorough() ? 12 : 2;
+  constexpr int nips = 3;  // 200 pass as well
   std::mt19937_64 random(1);
   const auto count = [&](int least, int most) { return std::uniform_int_distribution(least, most)(random); };
   for (int i = 1; i <= nips; ++i) {
