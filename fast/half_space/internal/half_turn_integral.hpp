@@ -8,8 +8,9 @@
 
 namespace nipref::fast {
 
-/// int f dpsi over half a turn for a vector f(Direction) of this period, to the rounding of the integral of |f| for each
-/// component. If f is not piecewise analytic, the estimates include the truncation error; see adapt_panels.
+/// int f dpsi over half a turn for a vector f(Direction) of this period. The errors of each component are the rounding of
+/// the integral of |f| and that of the directions, which counts where f varies. If f is not piecewise analytic, the
+/// estimates include the truncation error; see adapt_panels.
 template <std::size_t count, typename Integrand>
 std::array<Estimate, count> half_turn_integral(Integrand&& integrand) {
   constexpr double quarter = std::numbers::pi / 2;

@@ -34,8 +34,8 @@ void visit_nodes(Subinterval panel, Visit&& visit) {
 template <std::size_t count>
 using Components = Eigen::Array<double, static_cast<int>(count), 1>;
 
-/// The integrals of a vector f and of |f| over one panel, by the Gauss-Legendre rule, and how much f varies from node to
-/// node, which is the integral of |f'|.
+/// The integrals of a vector f and of |f| over one panel, by the Gauss-Legendre rule. The variation, the sum of the sizes
+/// of the changes of f from node to node, is about the integral of |f'|.
 template <std::size_t count>
 struct PanelSum {
   Subinterval panel;
