@@ -78,14 +78,20 @@ struct PartialSlipNip::Implementation : Solutions {
 
   [[nodiscard]] Estimate estimate(const auto& number, double unit, double scale) const {
     const double value = std::invoke(number, second);
-    return times(unit,
-                 {value, std::fabs(value - std::invoke(number, first)) + (relative + rounding()) * scale});
+    return times(unit, {value, std::fabs(value - std::invoke(number, first)) + relative * scale +
+                                   rounding() * std::max(scale, std::fabs(value))});
   }
-  /// The rounding error of a number over its scale. The number is a sum over the nodes, and each term is rounded.
-  [[nodiscard]] double rounding() const { return 0x1p-53 * static_cast<double>(second.unknowns()); }
+  /// The rounding error of a number over its scale. The number is a sum over the n nodes, whose terms are rounded. The
+  /// sum of n terms, in any order, has an error of less than n 2^-53 of their sizes (Higham 2002, 4.2).
+  [[nodiscard]] double rounding() const {
+    return 0x1p-53 * static_cast<double>(second.nodes()) + ZoneEquations::rounding_of_term;
+  }
   [[nodiscard]] double length() const { return second.length(); }
-  [[nodiscard]] Estimate of_length(const auto& number) const {
-    return estimate(number, units.length, length());
+  /// A length, with the rounding error that Newton's method leaves in it.
+  [[nodiscard]] Estimate of_length(const auto& number, double of_newton) const {
+    Estimate result = estimate(number, units.length, length());
+    result.error += units.length * of_newton;
+    return result;
   }
   [[nodiscard]] Estimate of_displacement(const auto& number) const {
     return estimate(number, units.displacement, std::pow(length(), 2));
@@ -100,10 +106,9 @@ struct PartialSlipNip::Implementation : Solutions {
   /// A strain. Almost full slip makes the creep sensitive to the rounding of load and traction.
   [[nodiscard]] Estimate of_strain(const auto& number) const {
     Estimate strain = estimate(number, units.creep, strains());
-    strain.error += units.creep * rounding_of_creep();
+    strain.error += units.creep * of_rounding.creep;
     return strain;
   }
-  [[nodiscard]] double rounding_of_creep() const { return of_rounding(of_rounding.size() - 1); }
   /// A strain at Y, with the effect of the errors of the tractions about Y and of the place.
   [[nodiscard]] Estimate of_strain_at(double y, const auto& function) const {
     Estimate strain = of_strain(at(y, function));
@@ -112,7 +117,8 @@ struct PartialSlipNip::Implementation : Solutions {
   }
   /// The effect of the error and the rounding of e on a function, which is like a root next to ends and boundaries.
   [[nodiscard]] double by_place(double e, const auto& function) const {
-    const double shift = (relative + rounding()) * length(), here = std::invoke(function, second, e);
+    const double shift = (relative + rounding()) * length() + of_rounding.leading_length,
+                 here = std::invoke(function, second, e);
     double most = 0;
     for (const double place : {e - shift, e + shift})
       most = std::max(most, std::fabs(std::invoke(function, second, place) - here));
@@ -200,9 +206,10 @@ struct PartialSlipNip::Implementation : Solutions {
         beside *= 2;
       farthest = std::max(farthest, std::fabs(there - place) + beside);
     }
-    Estimate position = of_length([&](const ZoneContact& contact) {
+    const auto there = [&](const ZoneContact& contact) {
       return contact.leading_length() - (&contact == &first ? first.place_of(before, part) : place);
-    });
+    };
+    Estimate position = of_length(there, of_rounding.leading_length + of_rounding.ends.maxCoeff());
     position.error += units.length * farthest;
     return position;
   }
@@ -213,13 +220,18 @@ PartialSlipNip::PartialSlipNip(std::unique_ptr<Implementation> implementation)
 PartialSlipNip::PartialSlipNip(PartialSlipNip&&) noexcept = default;
 PartialSlipNip::~PartialSlipNip() = default;
 
-Estimate PartialSlipNip::contact_length() const { return nip_->of_length(&ZoneContact::length); }
+Estimate PartialSlipNip::contact_length() const {
+  return nip_->of_length(&ZoneContact::length, nip_->of_rounding.ends.tail(1).value());
+}
 
-Estimate PartialSlipNip::leading_length() const { return nip_->of_length(&ZoneContact::leading_length); }
+Estimate PartialSlipNip::leading_length() const {
+  return nip_->of_length(&ZoneContact::leading_length, nip_->of_rounding.leading_length);
+}
 
 Estimate PartialSlipNip::trailing_length() const {
   return nip_->of_length(
-      [](const ZoneContact& contact) { return contact.length() - contact.leading_length(); });
+      [](const ZoneContact& contact) { return contact.length() - contact.leading_length(); },
+      nip_->of_rounding.leading_length + nip_->of_rounding.ends.tail(1).value());
 }
 
 Estimate PartialSlipNip::load() const {
@@ -255,7 +267,7 @@ Estimate PartialSlipNip::dissipation() const {
       nip_->task.friction * nip_->second.load() * std::max(nip_->strains(), std::fabs(nip_->second.creep())));
   // The work of the rollers is equal to the dissipation and is computed in another way.
   const double put_in = nip_->second.creep() * nip_->second.tangential_load() + 2 * nip_->second.moment();
-  const double of_creep = std::fabs(nip_->second.tangential_load()) * nip_->rounding_of_creep();
+  const double of_creep = std::fabs(nip_->second.tangential_load()) * nip_->of_rounding.creep;
   lost.error +=
       nip_->units.load * nip_->units.creep * (std::fabs(nip_->second.dissipation() - put_in) + of_creep);
   return lost;
@@ -275,12 +287,13 @@ std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
   const std::size_t end = contact.zones().size();
   std::vector<Estimate> all;
   for (std::size_t k = 0; k <= end; ++k) {
-    all.push_back(nip_->of_length([&](const ZoneContact& one) { return boundary(one, k); }));
-    if (k == 0 || k == end) continue;
+    const ZoneEquations::Rounding& rounding = nip_->of_rounding;
+    const double of_end = k > 0 ? rounding.ends(static_cast<Eigen::Index>(k) - 1) : 0;
+    all.push_back(nip_->of_length([&](const ZoneContact& one) { return boundary(one, k); },
+                                  rounding.leading_length + of_end));
     double& error = all.back().error;
-    const double of_discretisation =
-        is_smooth(contact, k) ? nip_->of_boundaries * longer_beside(contact, k) : 0;
-    error += nip_->units.length * (of_discretisation + nip_->of_rounding(static_cast<Eigen::Index>(k) - 1));
+    if (k == 0 || k == end) continue;
+    if (is_smooth(contact, k)) error += nip_->units.length * nip_->of_boundaries * longer_beside(contact, k);
     // Zones that are left out beside a boundary are at most as long as the shorter zone beside it.
     if (lacks_zones[k - 1] || lacks_zones[k]) error += nip_->units.length * shorter_beside(contact, k);
   }
@@ -322,7 +335,7 @@ Estimate PartialSlipNip::tangential_displacement(double y) const {
   };
   const double scale = nip_->strains() * std::max(nip_->length(), std::fabs(y / nip_->units.length));
   Estimate displacement = nip_->estimate(nip_->at(y, relative), nip_->units.displacement, scale);
-  displacement.error += nip_->units.displacement * nip_->length() * nip_->rounding_of_creep();
+  displacement.error += nip_->units.displacement * nip_->length() * nip_->of_rounding.creep;
   for (const double place : {nip_->place(0), nip_->place(y)})
     displacement.error += nip_->units.displacement * nip_->length() * nip_->error_by_tractions(place);
   return displacement;

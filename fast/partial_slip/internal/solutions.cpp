@@ -145,7 +145,7 @@ std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneConta
   const double relative = mean_excess(second, mu) + 2 * std::max(1.0, mu) * part_left_out + of_whole +
                           second_order(*first, second);
   std::vector<ZoneContact::Traction> wrong = wrong_by(second, excess, is_left_out, mu);
-  Eigen::VectorXd of_rounding = second.rounding();
+  ZoneEquations::Rounding of_rounding = second.rounding();
   return Solutions{.first = *std::move(first),
                    .second = std::move(second),
                    .relative = relative,

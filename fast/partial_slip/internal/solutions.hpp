@@ -12,7 +12,7 @@ struct Solutions {
   ZoneContact first, second;
   double relative;              ///< relative error of the whole, with violated conditions and missing zones
   double of_boundaries;         ///< error of smooth boundaries of zones, over the longer zone beside
-  Eigen::VectorXd of_rounding;  ///< ZoneEquations::rounding() of the second
+  ZoneEquations::Rounding of_rounding;  ///< of the second
   /// At each sample: the differences of the tractions, and their possible errors by zones that are left out.
   std::vector<ZoneContact::Traction> of_tractions, wrong_tractions;
   std::vector<bool> lacks_zones;  ///< for each zone, whether others are left out in it

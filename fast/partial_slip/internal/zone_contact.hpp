@@ -32,8 +32,8 @@ class ZoneContact {
   [[nodiscard]] double approach() const {
     return displacement(0).normal + leading_length() * leading_length();
   }
-  [[nodiscard]] Eigen::Index unknowns() const { return equations_->unknowns().size(); }
-  [[nodiscard]] Eigen::VectorXd rounding() const { return equations_->rounding(); }
+  [[nodiscard]] std::size_t nodes() const { return mesh().nodes().size(); }  ///< number of nodes
+  [[nodiscard]] ZoneEquations::Rounding rounding() const { return equations_->rounding(); }
   /// int p (L1 - e) de
   [[nodiscard]] double moment() const;
   /// -int q (v' - creep) de

@@ -168,9 +168,8 @@ Eigen::VectorXd ZoneEquations::residual() const {
                       task_.creep ? creep() - *task_.creep : of.tangential.sum() - *task_.traction);
 }
 
-Eigen::VectorXd ZoneEquations::rounding() const {
-  // Each rounding has a variance of up to 2^-106/3. The largest rest is that of S far away.
-  constexpr double roundings = 96, largest_rest = 0.25;
+ZoneEquations::Rounding ZoneEquations::rounding() const {
+  constexpr double largest_rest = 0.25;  // that of S far away
   const Forces forces = this->forces();
   const Eigen::VectorXd normal = forces.normal.abs(), tangential = forces.tangential.abs();
   const auto tractions = unknowns_.head(mesh_.unknowns());
@@ -184,12 +183,14 @@ Eigen::VectorXd ZoneEquations::rounding() const {
                         2 * (leading_length() - places(mesh_.midpoints())).abs(),
                     along.array() + rest + task_.beta * p_here.array().abs() + std::fabs(creep())},
                    task_.load ? normal.sum() : length(), task_.creep ? std::fabs(creep()) : tangential.sum());
+  const Index zones = std::ssize(zones_);
   Eigen::MatrixXd by_equations = by_equations_;
-  for (Index z = 0; z < std::ssize(zones_); ++z) {
+  for (Index z = 0; z < zones; ++z) {
     by_equations.col(z) *= zones_[static_cast<std::size_t>(z)].length;
     if (z > 0) by_equations.col(z) += by_equations.col(z - 1);
   }
-  return 3 * std::sqrt(roundings / 3) * 0x1p-53 * (by_equations.cwiseAbs().transpose() * sizes);
+  const Eigen::VectorXd all = rounding_of_term * (by_equations.cwiseAbs().transpose() * sizes);
+  return {all.head(zones), all(zones), all(zones + 1)};
 }
 
 Eigen::MatrixXd ZoneEquations::jacobian() const {
@@ -247,10 +248,10 @@ bool ZoneEquations::iterate() {
   Elimination derivatives;
   if (!converges(derivatives)) return false;
   const Index zones = std::ssize(zones_);
-  by_equations_.resize(derivatives.size(), zones + 1);
-  const Index creep = unknowns_.size() - 1;
-  for (Index k = 0; k <= zones; ++k) {
-    const Index unknown = k < zones ? unknowns_.size() + k : creep;
+  by_equations_.resize(derivatives.size(), zones + 2);
+  const Index lengths = unknowns_.size(), creep = lengths - 1, leading_length = lengths - 2;
+  for (Index k = 0; k < zones + 2; ++k) {
+    const Index unknown = k < zones ? lengths + k : k == zones ? creep : leading_length;
     by_equations_.col(k) = derivatives.solve_transposed(Eigen::VectorXd::Unit(derivatives.size(), unknown));
   }
   return true;

@@ -43,13 +43,19 @@ class ZoneEquations {
     Eigen::ArrayXd normal, along;
   };
   [[nodiscard]] Misfits misfits() const;
-  /// The rounding errors of the zones' ends, as distances from the leading end, and then of the creep: |E J^-1| times
-  /// the sizes of the equations' terms, among them load and traction, times three standard deviations of a term's 96
-  /// roundings by up to 2^-53: 8 in a weight, 12 in a traction, 15 in a kernel, 1 in their product, 49 for the
-  /// exponentials of s, whose errors count about sevenfold in differences of next nodes, and 11 for the sum of terms.
-  /// J, the derivatives with respect to all unknowns and the logarithms of the zones' lengths, is that of Newton's last
-  /// steps. E has the derivatives of the ends and of the creep with respect to all these.
-  [[nodiscard]] Eigen::VectorXd rounding() const;
+  /// Rounding errors: of the zones' ends, as distances from the leading end, of the creep and of L1.
+  struct Rounding {
+    Eigen::VectorXd ends;
+    double creep, leading_length;
+  };
+  /// They are |E J^-1| times the sizes of the equations' terms, among them load and traction, times rounding_of_term. J,
+  /// the derivatives with respect to all unknowns and the logarithms of the zones' lengths, is that of Newton's last
+  /// steps. E has the derivatives of the ends, of the creep and of L1 with respect to all these.
+  [[nodiscard]] Rounding rounding() const;
+  /// Three standard deviations of the 96 roundings of a term, each with a variance of up to 2^-106/3: 8 in a weight, 12 in
+  /// a traction, 15 in a kernel, 1 in their product, 49 for the exponentials of s, whose errors count about sevenfold in
+  /// differences of next nodes, and 11 for the sum of terms.
+  static constexpr double rounding_of_term = 17 * 0x1p-53;
   [[nodiscard]] Eigen::ArrayXd places(const auto& points) const {
     return Eigen::ArrayXd::NullaryExpr(static_cast<Index>(points.size()), [&](Index i) {
       return mesh_.place(points[static_cast<std::size_t>(i)]);
@@ -107,7 +113,7 @@ class ZoneEquations {
   Eigen::SparseMatrix<double> shear_here_, pressure_here_;  ///< of unit unknowns at these midpoints
   Kernels kernels_;                                         ///< of the present zones
   Eigen::VectorXd unknowns_;
-  Eigen::MatrixXd by_equations_;  ///< rows of J^-1 as columns: for the length of each zone, and for the creep
+  Eigen::MatrixXd by_equations_;  ///< rows of J^-1 as columns: for the length of each zone, the creep and L1
 };
 
 }  // namespace nipref::fast

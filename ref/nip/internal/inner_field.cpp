@@ -260,8 +260,8 @@ constexpr int rough_digits = 8;
 constexpr int samples_of_reach = 10;
 /// A maximum that is smooth over `reach` is at most 0.5 % above the nearest sample, reach/10 (2)^(-1/2) away, as
 /// curvatures are at most 2 middle/reach^2 (Cauchy); between samples of this share there are samples at half the
-/// distance. Maxima beside an end are sharper. Around them the search begins at lower samples, too.
-constexpr double high_share = 0.99, least_share = 0.8;
+/// distance. Maxima beside an end are sharper, so that the search begins at lower samples, too.
+constexpr double high_share = 0.99;
 /// Digits of the quadratures beyond those of the contact: the hundredth of the last digit that is added to errors is a
 /// hundred times the error of a quadrature.
 constexpr int guard = 4;
@@ -393,7 +393,7 @@ std::vector<SheetPoint> ContactField::tops(bool symmetric) const {
   };
   std::vector<Top> tops;
   for (const auto& [at, sample] : all) {
-    if (sample.shear < least_share * largest_sample || is_larger_beside(at, sample.shear)) continue;
+    if (is_larger_beside(at, sample.shear)) continue;
     Top top = top_near(sample.point, symmetric);
     const auto is_near = [&](const Top& other) {
       return hypot(top.point.alpha - other.point.alpha, top.point.depth - other.point.depth) <
