@@ -160,6 +160,15 @@ std::vector<FaceLoad> both_sides(const data::ElasticNip& nip, int m, double widt
   return loads;
 }
 
+/// Sets loads to 0 that break the thesis's conditions of signs. At a creep that meets these, only rounding breaks them: at
+/// the ends of its range one of the loads is 0.
+void drop_wrong_signs(Eigen::VectorXd& unknowns, int m) {
+  auto normal = unknowns.segment(1, m), shear = unknowns.tail(m);
+  normal = normal.cwiseMax(0);
+  const double sign = std::copysign(1, shear.sum());
+  shear = sign * (sign * shear).cwiseMax(0);
+}
+
 /// The solved nip; nothing if the thesis's creep is wanted and there is none.
 std::optional<LineLoadNip> solved(const data::ElasticNip& nip, const LineLoadMethod& method,
                                   double contact_length, const LineLoadFriction& friction,
@@ -177,9 +186,11 @@ std::optional<LineLoadNip> solved(const data::ElasticNip& nip, const LineLoadMet
   if (sticks) {
     ranges = creep_ranges(unknowns, m);
     const auto chosen = thesis_creep(ranges);
-    if (friction.kind == LineLoadFriction::Kind::thesis_creep && !chosen) return std::nullopt;
-    creep = friction.kind == LineLoadFriction::Kind::given_creep ? friction.creep : chosen->chosen;
+    const bool by_thesis = friction.kind == LineLoadFriction::Kind::thesis_creep;
+    if (by_thesis && !chosen) return std::nullopt;
+    creep = by_thesis ? chosen->chosen : friction.creep;
     at_creep += *creep * unknowns.col(1);
+    if (by_thesis) drop_wrong_signs(at_creep, m);
   }
   return LineLoadNip{.roller_radius = nip.roller_radius,
                      .leading_elements = m,

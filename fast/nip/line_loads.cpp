@@ -96,9 +96,12 @@ double LineLoadNip::creep_ratio() const {
 std::vector<double> LineLoadNip::shear_zeros() const {
   if (!gripped_creep) return {};
   std::vector<double> places{0};
-  for (auto ahead = static_cast<std::size_t>(leading_elements) - 1; ahead > 0; --ahead) {
-    if ((loads[ahead].shear < 0) != (loads[ahead - 1].shear < 0))
-      places.push_back((leading_elements - static_cast<double>(ahead)) * element_width());
+  double inner = 0;  // the last load that is not 0
+  for (auto ahead = static_cast<std::size_t>(leading_elements); ahead-- > 0;) {
+    const double shear = loads[ahead].shear;
+    if (std::min(shear, inner) < 0 && std::max(shear, inner) > 0)
+      places.push_back((leading_elements - 1 - static_cast<double>(ahead)) * element_width());
+    if (shear != 0) inner = shear;
   }
   return places;
 }
