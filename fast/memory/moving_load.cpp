@@ -125,6 +125,15 @@ double MovingLoad::tangential_displacement(double t, double T, double t0) const 
   return tangential_displacement(load_path("T", t, T), load_path("t0", t, t0));
 }
 
+double MovingLoad::normal_displacement_after(double way, double alpha) const {
+  check_argument("alpha", alpha, Domain::finite_nonzero);
+  return normal_displacement(path_after(way, "alpha", alpha));
+}
+
+double MovingLoad::tangential_displacement_after(double way, double alpha, double eta) const {
+  return tangential_displacement(path_after(way, "alpha", alpha), path_after(way, "eta", eta));
+}
+
 double MovingLoad::steady_normal_displacement(double alpha) const {
   check_argument("alpha", alpha, Domain::finite_nonzero);
   return normal_displacement(steady_path(alpha));
@@ -138,6 +147,13 @@ double MovingLoad::steady_tangential_displacement(double alpha, double eta) cons
 
 MovingLoad::LoadPath MovingLoad::steady_path(double alpha) const {
   return {{std::numeric_limits<double>::infinity(), 0}, surface_point({alpha, 0}, accuracy_), {}};
+}
+
+MovingLoad::LoadPath MovingLoad::path_after(double way, const char* name, double alpha) const {
+  check_not_negative("way", way);
+  if (!(std::fabs(alpha) <= farthest && way <= farthest))
+    throw data::BadInput(name, alpha, "must be, like the way, at most 1e100 half-thicknesses");
+  return {{way, 0}, surface_point({alpha, 0}, accuracy_), surface_point(two_sum(way, alpha), accuracy_)};
 }
 
 MovingLoad::LoadPath MovingLoad::load_path(const char* name, double t, double T) const {

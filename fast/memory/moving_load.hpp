@@ -33,6 +33,11 @@ class MovingLoad {
   /// Vn, the displacement along the sheet relative to the pinned point, 1/stress.
   [[nodiscard]] double tangential_displacement(double t, double T, double t0) const;
 
+  /// Un and Vn of a load that has moved by `way` >= 0 half-thicknesses, with alpha and eta given: as accurate however
+  /// much longer the way is than these distances. Each of them and its sum with the way is at most 1e100.
+  [[nodiscard]] double normal_displacement_after(double way, double alpha) const;
+  [[nodiscard]] double tangential_displacement_after(double way, double alpha, double eta) const;
+
   /// Un of a load that started infinitely long ago. alpha: either sign, not 0.
   [[nodiscard]] double steady_normal_displacement(double alpha) const;
 
@@ -43,6 +48,7 @@ class MovingLoad {
   struct LoadPath;
   struct Fades;
   [[nodiscard]] LoadPath load_path(const char* name, double t, double T) const;
+  [[nodiscard]] LoadPath path_after(double way, const char* name, double alpha) const;
   [[nodiscard]] LoadPath steady_path(double alpha) const;
   [[nodiscard]] double normal_displacement(const LoadPath& load_path) const;
   [[nodiscard]] double tangential_displacement(const LoadPath& to_point, const LoadPath& to_pin) const;

@@ -21,14 +21,13 @@ using data::BadInput;
 constexpr int most_elements = 500;
 
 /// The part of the problem that does not depend on the length: the elements, and the displacements under a moving unit
-/// load, by plain sums or exact. Lengths are in half-thicknesses, times in b/speed: t since the load started, T when it
-/// passes the point, t0 when it passes the pinned point.
+/// load, by plain sums or exact. Lengths are in half-thicknesses: `way` that the load has moved since it started, alpha
+/// from it to the point, eta to the pinned point. The way is much longer than the other two under a short contact.
 struct RollingLoads {
   data::ViscoelasticNip nip;
   int leading, trailing;
   double approach;
   double compliance;  ///< instantaneous theta1 + theta2, 1/stress
-  double time;        ///< unit of the load's times: b/speed of the exact load, 1 of plain sums
   std::variant<MovingLoad, PlainMovingLoad> load;
   std::shared_ptr<Work> work = std::make_shared<Work>();
 
@@ -38,16 +37,17 @@ struct RollingLoads {
         trailing(method.trailing_elements.value_or(leading)),
         approach(method.approach_lengths),
         compliance(material_functions(rolling.material).normal_compliance().instantaneous),
-        time(method.residue_terms == 0 ? rolling.half_thickness() / rolling.speed : 1),
         load(moving_load(rolling, method)) {}
 
   [[nodiscard]] int loads() const { return leading + trailing; }
-  [[nodiscard]] double normal_displacement(double t, double T) const {
-    return std::visit([&](const auto& of) { return of.normal_displacement(t * time, T * time); }, load);
+  [[nodiscard]] double normal_displacement(double way, double alpha) const {
+    if (const auto* exact = std::get_if<MovingLoad>(&load)) return exact->normal_displacement_after(way, alpha);
+    return std::get<PlainMovingLoad>(load).normal_displacement(way, way + alpha);
   }
-  [[nodiscard]] double tangential_displacement(double t, double T, double t0) const {
-    return std::visit(
-        [&](const auto& of) { return of.tangential_displacement(t * time, T * time, t0 * time); }, load);
+  [[nodiscard]] double tangential_displacement(double way, double alpha, double eta) const {
+    if (const auto* exact = std::get_if<MovingLoad>(&load))
+      return exact->tangential_displacement_after(way, alpha, eta);
+    return std::get<PlainMovingLoad>(load).tangential_displacement(way, way + alpha, way + eta);
   }
 
  private:
@@ -88,24 +88,26 @@ Eigen::MatrixXd plain_influence(const PlainMovingLoad& sheet, const Grid& grid) 
 Eigen::MatrixXd influence(const RollingLoads& problem, const Grid& grid) {
   if (const auto* plain = std::get_if<PlainMovingLoad>(&problem.load)) return plain_influence(*plain, grid);
   return Eigen::MatrixXd::NullaryExpr(grid.loads + 1, grid.loads, [&](Eigen::Index i, Eigen::Index j) {
-    return problem.normal_displacement(grid.t(static_cast<int>(i)), grid.T(static_cast<int>(j)));
+    return problem.normal_displacement(grid.t(static_cast<int>(i)),
+                                       static_cast<double>(2 * (j - i) + 1) * grid.element);
   });
 }
 
 /// The surface under loads that started when their leading end was `approach` ahead. Displacements along Y are relative
 /// to the point of the middle plane on the line through the centres. They are those of the material point that is at Y
-/// at the time t, with lengths in half-thicknesses and times in half-thickness/speed.
+/// after the way.
 LineLoadSheet rolling_sheet(const std::shared_ptr<const RollingLoads>& problem, double leading_length) {
   return [=](FaceDirection direction, std::span<const FaceLoad> loads, double y, Work& /*work*/) {
     const double half_thickness = problem->nip.half_thickness();
-    const double t = problem->approach + (leading_length - y) / half_thickness;
-    if (!(t >= 0)) throw BadInput("y", y, "must not be ahead of where the leading end started");
+    const double way = problem->approach + (leading_length - y) / half_thickness;
+    if (!(way >= 0)) throw BadInput("y", y, "must not be ahead of where the leading end started");
     double sum = 0;
     for (const FaceLoad& load : loads) {
-      // The load passed the pinned point, which is at the line through the centres now, load.y ago.
-      const double T = t + (y - load.y) / half_thickness, t0 = t - load.y / half_thickness;
-      sum += load.normal * (direction == FaceDirection::normal ? problem->normal_displacement(t, T)
-                                                               : problem->tangential_displacement(t, T, t0));
+      // The pinned point is at the line through the centres now.
+      const double alpha = (y - load.y) / half_thickness, eta = -load.y / half_thickness;
+      sum += load.normal * (direction == FaceDirection::normal
+                                ? problem->normal_displacement(way, alpha)
+                                : problem->tangential_displacement(way, alpha, eta));
     }
     return sum;
   };

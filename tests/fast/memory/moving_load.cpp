@@ -55,6 +55,17 @@ TEST_CASE("a way too short to be seen beside the distance still counts") {
   }
 }
 
+TEST_CASE("after a long way the displacements next to the load are as accurate as those of a load that has always moved") {
+  const MovingLoad load(softening_solid(3), 1, 1);
+  for (const double alpha : {-1e-3, -1e-9, 1e-12, 1e-3}) {
+    CAPTURE(alpha);
+    CHECK(load.normal_displacement_after(1e4, alpha) ==
+          approx(load.steady_normal_displacement(alpha), 1e-14));
+    CHECK(load.tangential_displacement_after(1e4, alpha, 2 * alpha) ==
+          approx(load.steady_tangential_displacement(alpha, 2 * alpha), 1e-14));
+  }
+}
+
 TEST_CASE("bad input to the moving load is refused by name") {
   CHECK_REFUSED(MovingLoad(softening_solid(1), 1, HUGE_VAL), "half_thickness = inf");
   CHECK_REFUSED(MovingLoad(softening_solid(-1), 1, 1), "theta1 rate = -1");
@@ -65,5 +76,8 @@ TEST_CASE("bad input to the moving load is refused by name") {
   CHECK_REFUSED(far.normal_displacement(1000, -1e308),
                 "T = -1e+308: must be within 1e100 half_thickness/speed of both 0 and t");
   CHECK_REFUSED(far.tangential_displacement(1, 2, -1e308), "t0 = -1e+308: must be within 1e100");
+  CHECK_REFUSED(load.normal_displacement_after(1, 0), "alpha = 0");
+  CHECK_REFUSED(load.normal_displacement_after(-1, 1), "way = -1");
+  CHECK_REFUSED(load.tangential_displacement_after(1, 2, 1e101), "eta = 1e+101");
   CHECK(load.normal_displacement(1e100, 1) == 0);
 }

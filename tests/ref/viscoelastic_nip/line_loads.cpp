@@ -64,6 +64,13 @@ TEST_CASE("ref rolling line loads of random nips: fewer digits enclose more digi
   }
 }
 
+TEST_CASE("ref rolling line loads: a contact 1e-5 of its approach long is what double gives") {
+  const data::ViscoelasticNip nip = nip_of(data::single_relaxation_time_solid(1e5, 3.75e4, 0.3, 2));
+  constexpr double length = 3e-5;
+  const auto mine = ref::line_loads_for_length(nip, {2, 1, 12}, length, 16);
+  check_like_fast(mine, fast::line_loads_for_length(nip, {2, 1, 12}, length * 2 / 3), 1e-10);
+}
+
 TEST_CASE("ref rolling line loads: an error of 1e-25 in a memory or a length is outside, or widens") {
   const auto problem_of = [](const mpq_class& memory, const mpq_class& unknown) {
     const ref::ExactMaterial material{{1, {{memory, memory}}, {}}, {mpq_class(1, 3), {}, {}}};
