@@ -160,8 +160,8 @@ std::vector<FaceLoad> both_sides(const data::ElasticNip& nip, int m, double widt
   return loads;
 }
 
-/// Sets loads to 0 that break the thesis's conditions of signs. At a creep that meets these, only rounding breaks them: at
-/// the ends of its range one of the loads is 0.
+/// Sets loads to 0 that break the thesis's conditions of signs. At a creep that meets these, only rounding breaks them,
+/// because one of the loads is 0 at an end of the creep's range.
 void drop_wrong_signs(Eigen::VectorXd& unknowns, int m) {
   auto normal = unknowns.segment(1, m), shear = unknowns.tail(m);
   normal = normal.cwiseMax(0);

@@ -41,7 +41,8 @@ struct RollingLoads {
 
   [[nodiscard]] int loads() const { return leading + trailing; }
   [[nodiscard]] double normal_displacement(double way, double alpha) const {
-    if (const auto* exact = std::get_if<MovingLoad>(&load)) return exact->normal_displacement_after(way, alpha);
+    if (const auto* exact = std::get_if<MovingLoad>(&load))
+      return exact->normal_displacement_after(way, alpha);
     return std::get<PlainMovingLoad>(load).normal_displacement(way, way + alpha);
   }
   [[nodiscard]] double tangential_displacement(double way, double alpha, double eta) const {

@@ -10,8 +10,8 @@ namespace nipref::fast {
 /// The contact by two discretisations, of which the second is the result, and their differences.
 struct Solutions {
   ZoneContact first, second;
-  double relative;              ///< relative error of the whole, with violated conditions and missing zones
-  double of_boundaries;         ///< error of smooth boundaries of zones, over the longer zone beside
+  double relative;       ///< relative error of the whole, with violated conditions and missing zones
+  double of_boundaries;  ///< error of smooth boundaries of zones, over the longer zone beside
   ZoneEquations::Rounding of_rounding;  ///< of the second
   /// At each sample: the differences of the tractions, and their possible errors by zones that are left out.
   std::vector<ZoneContact::Traction> of_tractions, wrong_tractions;

@@ -48,13 +48,13 @@ class ZoneEquations {
     Eigen::VectorXd ends;
     double creep, leading_length;
   };
-  /// They are |E J^-1| times the sizes of the equations' terms, among them load and traction, times rounding_of_term. J,
-  /// the derivatives with respect to all unknowns and the logarithms of the zones' lengths, is that of Newton's last
+  /// They are |E J^-1| times the sizes of the equations' terms, among them load and traction, times rounding_of_term.
+  /// J, the derivatives with respect to all unknowns and the logarithms of the zones' lengths, is that of Newton's last
   /// steps. E has the derivatives of the ends, of the creep and of L1 with respect to all these.
   [[nodiscard]] Rounding rounding() const;
-  /// Three standard deviations of the 96 roundings of a term, each with a variance of up to 2^-106/3: 8 in a weight, 12 in
-  /// a traction, 15 in a kernel, 1 in their product, 49 for the exponentials of s, whose errors count about sevenfold in
-  /// differences of next nodes, and 11 for the sum of terms.
+  /// Three standard deviations of the 96 roundings of a term, each with a variance of up to 2^-106/3: 8 in a weight, 12
+  /// in a traction, 15 in a kernel, 1 in their product, 49 for the exponentials of s, whose errors count about
+  /// sevenfold in differences of next nodes, and 11 for the sum of terms.
   static constexpr double rounding_of_term = 17 * 0x1p-53;
   [[nodiscard]] Eigen::ArrayXd places(const auto& points) const {
     return Eigen::ArrayXd::NullaryExpr(static_cast<Index>(points.size()), [&](Index i) {

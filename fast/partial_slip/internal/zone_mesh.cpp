@@ -131,8 +131,9 @@ ZoneMesh::PanelEnd ZoneMesh::boundary(const Panel& own, const Panel& other, bool
   end.next_length = std::min(1.0, other.length / own.length);
   end.reach -= std::log(end.next_length);
   end.depth -= std::log(end.next_length);
-  // Beyond this, t = e^(-1.25 reach), zones that are left out have the forces t^(1 + power), or between panels of a zone
-  // t^3, as the shear there exceeds friction by the square of their length. Up to 45 nats that is less than e^(-2 nats/3).
+  // Beyond this, t = e^(-1.25 reach), zones that are left out have the forces t^(1 + power), or between panels of a
+  // zone t^3, as the shear there exceeds friction by the square of their length. Up to 45 nats both are less than
+  // e^(-2 nats/3).
   end.checked = 1.25 * end.reach;
   return end;
 }

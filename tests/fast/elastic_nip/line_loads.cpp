@@ -89,15 +89,16 @@ TEST_CASE("with full friction three kernels are evaluated at the same distances,
   CHECK(solution.work().kernel_evaluations == Counts{14, 0, 14, 0, 0, 14, 0});
 }
 
-TEST_CASE("at the thesis's creep no load pulls and shear changes its sign in the middle only, though one load may be 0") {
+TEST_CASE(
+    "at the thesis's creep no load pulls and shear changes its sign in the middle only, though a load may be 0") {
   int solved = 0;
   for (const double poisson : {-0.5, 0.0, 0.3, 0.4, 0.5}) {
     for (int m = 2; m <= 12; ++m) {
       for (const double length : {0.1, 0.5, 1.0, 2.0, 3.0}) {
         CAPTURE(poisson, m, length);
         try {
-          const LineLoadNip nip = fast::line_loads_for_length(
-              {100, 1, {1, poisson}}, m, length, {data::LineLoadFriction::Kind::thesis_creep});
+          const LineLoadNip nip = fast::line_loads_for_length({100, 1, {1, poisson}}, m, length,
+                                                              {data::LineLoadFriction::Kind::thesis_creep});
           CHECK(nip.shear_zeros() == std::vector<double>{0});
           CHECK(nip.presses_everywhere());
           ++solved;

@@ -55,7 +55,7 @@ TEST_CASE("a way too short to be seen beside the distance still counts") {
   }
 }
 
-TEST_CASE("after a long way the displacements next to the load are as accurate as those of a load that has always moved") {
+TEST_CASE("after a long way the displacements next to the load are as accurate as if it had always moved") {
   const MovingLoad load(softening_solid(3), 1, 1);
   for (const double alpha : {-1e-3, -1e-9, 1e-12, 1e-3}) {
     CAPTURE(alpha);

@@ -95,7 +95,8 @@ TEST_CASE("hard scenes: the pressure at the place of the largest is not larger t
 }
 
 // What both discretisations miss alike, their difference does not show.
-TEST_CASE("hard scenes with Coulomb's friction: it is not exceeded, and slip is along the shear or 0 where it sticks") {
+TEST_CASE(
+    "hard scenes with Coulomb's friction: it is not exceeded, slip is along the shear, or 0 where they stick") {
   int looked_at = 0;
   for (const auto& file : hard_scenes()) {
     data::Scene scene = data::load_scene(file);
