@@ -168,7 +168,16 @@ struct PartialSlipNip::Implementation : Solutions {
     const double e = place(y), moved = by_place(e, at_place);
     if (value == 0 && before == 0 && moved == 0) return {0, 0};
     return times(unit, {value, std::fabs(value - before) + error_near(e).traction().*part + moved +
-                                   error_of_whole(part)});
+                                   error_of_whole(part) + rounding_of_traction(e).*part});
+  }
+  /// The rounding of the tractions at e, which solve sums over the nodes and are sums themselves. Where the sheet
+  /// sticks, a rounding of beta p in the equations changes the shear by as much.
+  [[nodiscard]] Traction rounding_of_traction(double e) const {
+    const Traction sizes = second.sizes_at(e);
+    const bool sticks = e > 0 && e < length() && second.sign(e) == 0;
+    return {rounding() * sizes.pressure,
+            rounding() * sizes.shear +
+                (sticks ? ZoneEquations::rounding_of_term * task.beta * sizes.pressure : 0)};
   }
   /// The relative error of the whole times the mean traction.
   [[nodiscard]] double error_of_whole(double Traction::*part) const {

@@ -101,6 +101,17 @@ ZoneContact::Traction ZoneContact::traction_at(const ZoneMesh::Point& point) con
   return sum;
 }
 
+ZoneContact::Traction ZoneContact::sizes_at(double e) const {
+  if (!(e > 0 && e < length())) return {0, 0};
+  Traction sum{0, 0};
+  for (const ZoneMesh::Share& share : mesh().shares(mesh().point_at(e))) {
+    const double unknown = std::fabs(equations_->unknowns()(share.unknown));
+    sum.pressure += std::fabs(share.pressure) * unknown;
+    sum.shear += std::fabs(share.shear) * unknown;
+  }
+  return sum;
+}
+
 double ZoneContact::moment() const {
   return (forces_.normal * (leading_length() - equations_->places(mesh().nodes()))).sum();
 }

@@ -42,6 +42,8 @@ class ZoneContact {
   /// 0 outside the contact.
   [[nodiscard]] Traction traction(double e) const;
   [[nodiscard]] Traction traction_at(const ZoneMesh::Point& point) const;
+  /// The sums of the sizes of the terms whose sums are the tractions at e.
+  [[nodiscard]] Traction sizes_at(double e) const;
   /// The sign of the zone that contains e, a place in the contact, and the place where this zone begins.
   [[nodiscard]] int sign(double e) const;
   [[nodiscard]] double start_of_zone(double e) const;
