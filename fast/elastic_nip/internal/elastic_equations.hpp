@@ -18,6 +18,9 @@ class ElasticEquations : public NipEquations {
                                CountedKernels& kernels) const override;
   [[nodiscard]] std::vector<AccuracyTarget> accuracy_targets(const Solution& solution) const override;
 
+  /// Less than 1 for a long sheet that sticks: a film, stiffer than one without friction.
+  [[nodiscard]] double softening_over(double half_length) const override;
+
   [[nodiscard]] bool sticks() const override { return sticks_; }
   [[nodiscard]] Functional roller_displacement(const Solution& solution, double y) const override;
   [[nodiscard]] Functional end_displacement(const Solution& solution, bool trailing) const override;

@@ -9,7 +9,7 @@
 namespace nipref::fast {
 namespace {
 
-/// A contact carries about the load of an elastic one with the compliance that acts over this part of its half-length.
+/// A contact with memory carries about the load of one with the compliance that acts over this part of its half-length.
 constexpr double part_that_softens = 0.47;
 
 }  // namespace
@@ -41,9 +41,10 @@ Functional NipEquations::eccentricity(const Solution& solution) const {
 /// Each step halves the error: a load grows at least like the length squared, softening at most like the length.
 double NipEquations::half_length_of(double load) const {
   constexpr int most_steps = 5;
+  const double part = sticks() ? 1 : part_that_softens;
   double half_length = 0, softening = 0;
   for (int i = 0; i < most_steps; ++i) {
-    const double before = std::exchange(softening, softening_over(part_that_softens * half_length));
+    const double before = std::exchange(softening, softening_over(part * half_length));
     if (softening == before) break;
     half_length = half_length_guess(load * softening);
   }

@@ -54,7 +54,9 @@ void SolvedNip::solve_to(double nats) {
 }
 
 /// Solves each contact with its own panels, until the next step leads nearly to the length. This step leaves about a
-/// hundredth of the load's residual, and so does the first step of meet_load().
+/// hundredth of the load's residual, and so does the first step of meet_load(). In a film that sticks the load of a
+/// given length has the errors of the integrals times the film's stiffness over that of a sheet without friction. Their
+/// tolerance is that of whole decades, so that few rules of integration are cached.
 void SolvedNip::search_roughly() {
   constexpr double few_nats = 9, tolerance = 1e-6, near_enough = 5e-2;
   Resolution few_terms = equations_->resolution(few_nats);
@@ -63,7 +65,8 @@ void SolvedNip::search_roughly() {
   bool settled = false;
   while (!settled && search.residual() > near_enough) {
     near_ = search.length();
-    solution_ = solve(near_, few_terms, tolerance);
+    const double decades = std::floor(std::log10(std::min(1.0, equations_->softening_over(near_))));
+    solution_ = solve(near_, few_terms, std::max(tolerance * std::pow(10, decades), quadrature_tolerance));
     settled = search.settled(solution_->carried_load());
   }
   near_ = sought_ = search.length();
