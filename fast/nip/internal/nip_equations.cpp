@@ -38,7 +38,8 @@ Functional NipEquations::eccentricity(const Solution& solution) const {
   return result;
 }
 
-/// Each step halves the error: a load grows at least like the length squared, softening at most like the length.
+/// Each step halves the error: a load grows at least like the length squared, softening at most like the length. In a
+/// film that sticks it leaves up to two thirds, because softening falls at most like the length to the power -2.
 double NipEquations::half_length_of(double load) const {
   constexpr int most_steps = 5;
   const double part = sticks() ? 1 : part_that_softens;

@@ -50,7 +50,8 @@ class NipEquations {
   [[nodiscard]] virtual std::vector<AccuracyTarget> accuracy_targets(const Solution& solution) const = 0;
   /// About the compliance that acts over a contact of this half-length, relative to the instantaneous compliance.
   [[nodiscard]] virtual double softening_over(double /*half_length*/) const { return 1; }
-  /// The half-length of the contact of a load, to some per cent, and about d ln load/d ln length at a half-length.
+  /// The half-length of the contact of a load, to some per cent, that of a stiff film to a factor of 1.6; and about
+  /// d ln load/d ln length at a half-length.
   [[nodiscard]] double half_length_of(double load) const;
   [[nodiscard]] double load_exponent_at(double half_length) const;
   /// BadInput for a half-length at which the contact cannot be solved.

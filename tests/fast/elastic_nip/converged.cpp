@@ -54,3 +54,18 @@ TEST_CASE("between its matching points a solution satisfies its equations") {
     }
   }
 }
+
+TEST_CASE("with full friction the length for a load is found with few systems, however stiff the film is") {
+  for (const double poisson : {0.0, 0.45, 0.4999, 0.4999999}) {
+    const auto equations = std::make_shared<const fast::ElasticEquations>(Friction::full, poisson);
+    for (const double half_length : {0.1, 3.0, 30.0, 300.0, 2000.0}) {
+      CAPTURE(poisson, half_length);
+      const fast::SolvedNip given(equations, half_length, {}, 1e-8);
+      const double load = given.last().carried_load(), guess = equations->half_length_of(load);
+      CHECK(std::fabs(std::log(guess / half_length)) < 0.5);
+      const fast::SolvedNip found(equations, guess, load, 1e-8);
+      CHECK(found.work().systems <= 5);
+      CHECK(std::fabs(found.half_length() - half_length) <= 1e-6 * half_length);
+    }
+  }
+}
