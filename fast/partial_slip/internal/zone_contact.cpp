@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -92,24 +93,23 @@ double ZoneContact::corresponding_place(const ZoneContact& other, double e) cons
   return left + (e - left_of_other) * (mine - left) / (others - left_of_other);
 }
 
-ZoneContact::Traction ZoneContact::traction_at(const ZoneMesh::Point& point) const {
+ZoneContact::Traction ZoneContact::sum_of_terms(const ZoneMesh::Point& point, const auto& of_term) const {
   Traction sum{0, 0};
   for (const ZoneMesh::Share& share : mesh().shares(point)) {
-    sum.pressure += share.pressure * equations_->unknowns()(share.unknown);
-    sum.shear += share.shear * equations_->unknowns()(share.unknown);
+    const double unknown = equations_->unknowns()(share.unknown);
+    sum.pressure += of_term(share.pressure * unknown);
+    sum.shear += of_term(share.shear * unknown);
   }
   return sum;
 }
 
+ZoneContact::Traction ZoneContact::traction_at(const ZoneMesh::Point& point) const {
+  return sum_of_terms(point, std::identity());
+}
+
 ZoneContact::Traction ZoneContact::sizes_at(double e) const {
   if (!(e > 0 && e < length())) return {0, 0};
-  Traction sum{0, 0};
-  for (const ZoneMesh::Share& share : mesh().shares(mesh().point_at(e))) {
-    const double unknown = std::fabs(equations_->unknowns()(share.unknown));
-    sum.pressure += std::fabs(share.pressure) * unknown;
-    sum.shear += std::fabs(share.shear) * unknown;
-  }
-  return sum;
+  return sum_of_terms(mesh().point_at(e), [](double term) { return std::fabs(term); });
 }
 
 double ZoneContact::moment() const {

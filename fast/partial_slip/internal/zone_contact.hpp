@@ -91,6 +91,8 @@ class ZoneContact {
   explicit ZoneContact(std::shared_ptr<const ZoneEquations> solved);
   [[nodiscard]] const ZoneMesh& mesh() const { return equations_->mesh(); }
   [[nodiscard]] double slope(const ZoneMesh::Point& point, double Traction::*part) const;
+  /// The sums, over the terms that make up the tractions at a point, of a function of a term.
+  [[nodiscard]] Traction sum_of_terms(const ZoneMesh::Point& point, const auto& of_term) const;
   /// The largest |q/p| between a sample that sticks and the next one, 0 for others.
   [[nodiscard]] double ratio_after(const ZoneMesh::Point& point) const;
   [[nodiscard]] Displacement displacement_under(double distance, const Traction& load) const;
