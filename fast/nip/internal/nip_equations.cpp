@@ -60,12 +60,18 @@ double NipEquations::load_exponent_at(double half_length) const {
 
 Tractions::SplitKernel frictionless_kernel(CountedKernels& kernels) {
   using Alphas = CountedKernels::Alphas;
-  const auto whole = [&kernels](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
-    on_q = on_p = kernels.I1(alpha) / std::numbers::pi;
+  // Eigen copies a row to a matrix of any size number by number, but a row to a row by vectors.
+  const auto on_both = [](const Eigen::RowVectorXd& values, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+    on_p.resize(1, values.size());
+    Eigen::RowVectorXd::Map(on_p.data(), values.size()) = values / std::numbers::pi;
+    on_q = on_p;
   };
-  const auto regular = [&kernels](Alphas alpha, Alphas logarithm, Eigen::MatrixXd& on_p,
-                                  Eigen::MatrixXd& on_q) {
-    on_q = on_p = kernels.regular_I1(alpha, logarithm) / std::numbers::pi;
+  const auto whole = [=, &kernels](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+    on_both(kernels.I1(alpha), on_p, on_q);
+  };
+  const auto regular = [=, &kernels](Alphas alpha, Alphas logarithm, Eigen::MatrixXd& on_p,
+                                     Eigen::MatrixXd& on_q) {
+    on_both(kernels.regular_I1(alpha, logarithm), on_p, on_q);
   };
   return {{1, Tractions::Kernel::FarAway::negligible, {}, whole},
           Eigen::RowVector2d(1, 1),

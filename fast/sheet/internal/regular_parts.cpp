@@ -1,4 +1,4 @@
-#include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -24,14 +24,15 @@ void regular_part(Component component, const KernelOf& kernel, std::span<const d
   const double constant = there[0] + std::log(place[0]) - rest_there[0];
 
   // Where |alpha| < near_end, the batch evaluates the kernel at near_end, and the result is not used.
-  const auto count = static_cast<Eigen::Index>(alpha.size());
-  const auto span_of = [&](Eigen::ArrayXd& numbers) { return std::span(numbers.data(), alpha.size()); };
-  const Eigen::Map<const Eigen::ArrayXd> at(alpha.data(), count), log_at(logarithm.data(), count);
-  Eigen::ArrayXd far = at.abs().max(near_end), near_value(count), far_value(count);
-  rest(alpha, span_of(near_value));
-  kernel(span_of(far), span_of(far_value));
-  Eigen::Map<Eigen::ArrayXd>(value.data(), count) =
-      (at.abs() < near_end).select(near_value + constant, far_value + log_at);
+  std::vector<double> far(alpha.size()), near;
+  for (std::size_t i = 0; i < alpha.size(); ++i) {
+    far[i] = std::max(std::fabs(alpha[i]), near_end);
+    if (std::fabs(alpha[i]) < near_end) near.push_back(alpha[i]);
+  }
+  kernel(far, far);
+  rest(near, near);
+  for (std::size_t i = 0, next = 0; i < alpha.size(); ++i)
+    value[i] = std::fabs(alpha[i]) < near_end ? near[next++] + constant : far[i] + logarithm[i];
 }
 
 std::vector<double> logarithms(std::span<const double> alpha) {
