@@ -57,7 +57,7 @@ RowVectorXd ElasticEquations::coupling(Alphas alpha, CountedKernels& kernels) co
 
 Tractions::Kernel ElasticEquations::along_kernel(CountedKernels& kernels) const {
   return {2,
-          Tractions::Kernel::FarAway::varying,
+          Tractions::Kernel::FarAway::linear,
           {},
           [&kernels, this](Alphas alpha, MatrixXd& on_p, MatrixXd& on_q) {
             on_p = coupling(alpha, kernels);
@@ -83,7 +83,7 @@ Tractions::SplitKernel ElasticEquations::matching(CountedKernels& kernels) const
     both(kernels.regular_I1(alpha, logarithm), kernels.I3(alpha) / pi, kernels.regular_I6(alpha, logarithm),
          on_p, on_q);
   };
-  return {{2, Tractions::Kernel::FarAway::varying, {}, whole},
+  return {{2, Tractions::Kernel::FarAway::linear, {}, whole},
           Eigen::Matrix2d::Identity(),
           Eigen::Matrix2d{{0, beta_ / 2}, {-beta_ / 2, 0}},
           regular};

@@ -92,7 +92,7 @@ Tractions::Kernel InnerField::stress_kernel(double depth) const {
   });
   // Far away a shear load pulls one half of the sheet and presses on the other.
   using enum Tractions::Kernel::FarAway;
-  kernel.beyond_reach = sticks ? constant : negligible;
+  kernel.beyond_reach = sticks ? linear : negligible;
   // On a face the kernel of the pressure has only the poles of the load on the other face.
   kernel.poles = on_face && !sticks ? 2 : 1 - std::fabs(depth);
   kernel.is_regular = !on_face || !sticks;

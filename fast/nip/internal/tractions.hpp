@@ -57,7 +57,7 @@ class Tractions {
   /// `on_p` per unit of Re g and `on_q` per unit of Im g, one row for each functional. alpha = y - y' is the place of
   /// the functional less that of the load.
   struct Kernel {
-    enum class FarAway { negligible, constant, varying };
+    enum class FarAway { negligible, linear, varying };
     int functionals = 1;
     FarAway beyond_reach = FarAway::negligible;  ///< the kernel where those that decay are negligible
     /// The rates of exponentials beside alpha = 0 that may vary over less than a half-thickness.

@@ -56,7 +56,33 @@ Eigen::RowVectorXd by_pieces(const Tractions& tractions, double place, double di
   return sum;
 }
 
+/// |alpha| + 2 e^(-2.1 |alpha|), which counts its evaluations.
+Tractions::Kernel linear_far_away(Tractions::Kernel::FarAway beyond_reach, int& evaluations) {
+  Tractions::Kernel kernel;
+  kernel.beyond_reach = beyond_reach;
+  kernel.at = [&evaluations](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+    const Eigen::Map<const Eigen::RowVectorXd> at(alpha.data(), static_cast<Eigen::Index>(alpha.size()));
+    on_q = on_p = (at.array().abs() + 2 * (-2.1 * at.array().abs()).exp()).matrix();
+    evaluations += static_cast<int>(alpha.size());
+  };
+  return kernel;
+}
+
 }  // namespace
+
+TEST_CASE("far from the place a kernel that has become linear needs few nodes") {
+  using enum Tractions::Kernel::FarAway;
+  const double half_length = 300;
+  const Tractions tractions(half_length, panels(half_length, {34, 2.1, 5, {}}), true, 0.5);
+  for (const double at : {-5.0, 0.1, 7.0, 60.0, 299.0}) {
+    CAPTURE(at);
+    int few = 0, many = 0;
+    const Eigen::RowVectorXd row = tractions.rows(at, false, linear_far_away(linear, few), 1e-16),
+                             expected = tractions.rows(at, false, linear_far_away(varying, many), 1e-16);
+    CHECK((row - expected).cwiseAbs().maxCoeff() < 1e-14 * expected.cwiseAbs().maxCoeff());
+    CHECK(few < 0.7 * many);
+  }
+}
 
 TEST_CASE("rows are the integrals of a kernel with the tractions, however near its poles are") {
   for (const double half_length : {0.5, 4.0, 20.0}) {
