@@ -222,7 +222,7 @@ class Tractions::Sums {
     double width;        ///< of the panel on which they are polynomials
     double rate;         ///< the largest |rate| of the exponentials that multiply them
     double off_axis;     ///< distance of a regular kernel's poles from the real axis; 0 of other kernels
-    bool is_polynomial;  ///< times the kernel; not on a panel at the contact's end
+    bool is_polynomial;  ///< whether nothing else multiplies them, as the factor of the panel at the end does
   };
 
   /// e where the kernel is singular, from the end of the half of the place, or, if mirrored, from the other end.
@@ -246,7 +246,8 @@ class Tractions::Sums {
   }
 
   /// Appends the nodes of a piece of a panel. The kernel is singular at `singular` or `off_axis` beside it, not inside
-  /// the piece. The rule is Gauss's if the singularity and the ends of the contact are farther than the piece is wide.
+  /// the piece. The rule is Gauss's where the integrand is a polynomial, and where the singularity and the ends of the
+  /// contact are farther than the piece is wide.
   void append_piece(double from, double to, double singular, const Integrand& integrand, bool mirrored,
                     Nodes& nodes) const {
     const double width = to - from, beyond = 2 * of_.half_length_ - to, sign = mirrored ? -1 : 1;

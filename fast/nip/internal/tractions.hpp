@@ -57,9 +57,11 @@ class Tractions {
   /// `on_p` per unit of Re g and `on_q` per unit of Im g, one row for each functional. alpha = y - y' is the place of
   /// the functional less that of the load.
   struct Kernel {
+    /// What is left of the kernel so far away that its parts that decay like e^(-2.1 |alpha|) are negligible: nothing,
+    /// a linear function of alpha on each side, or anything else.
     enum class FarAway { negligible, linear, varying };
     int functionals = 1;
-    FarAway beyond_reach = FarAway::negligible;  ///< the kernel where those that decay are negligible
+    FarAway beyond_reach = FarAway::negligible;
     /// The rates of exponentials beside alpha = 0 that may vary over less than a half-thickness.
     std::vector<std::complex<double>> rates;
     std::function<void(std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q)> at;
